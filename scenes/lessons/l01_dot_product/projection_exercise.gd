@@ -1,0 +1,95 @@
+class_name ProjectionExercise
+extends Exercise
+## Asks for a dot product, a scalar projection or a vector projection of two fresh whole-number vectors.
+##
+## b is a multiple of a Pythagorean triple, so that its length is whole and answers are short.
+
+## What is asked for.
+enum Kind { DOT, SCALAR, VECTOR }
+
+const _TRIPLES: Array[PackedFloat64Array] = [
+	[3.0, 4.0], [4.0, 3.0], [6.0, 8.0], [8.0, 6.0], [5.0, 12.0], [12.0, 5.0]
+]
+
+## The vector whose shadow is asked for.
+var a: Vec2
+## The vector on which it falls; its length is a whole number.
+var b: Vec2
+
+
+## A question with the vectors [param a_vector] and [param b_vector].
+func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
+	a = a_vector
+	b = b_vector
+	match kind:
+		Kind.DOT:
+			_ask_dot()
+		Kind.SCALAR:
+			_ask_scalar()
+		Kind.VECTOR:
+			_ask_vector()
+
+
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
+	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
+	var onto := Vec2.new(triple[0] * _random_sign(rng), triple[1] * _random_sign(rng))
+	var shadowed := Vec2.new(
+		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
+	)
+	return ProjectionExercise.new(kind, shadowed, onto)
+
+
+static func _random_sign(rng: RandomNumberGenerator) -> int:
+	return 1 if rng.randi_range(0, 1) == 1 else -1
+
+
+func _ask_dot() -> void:
+	_ask(tr("a = %s, b = %s. What is the dot product a · b?"), ["a · b ="], [a.dot(b)])
+	_add([a.x * b.x - a.y * b.y], tr("The products are added, not subtracted: ax bx + ay by."))
+	_add([a.x * b.y + a.y * b.x], tr("x goes with x, and y with y: ax bx + ay by."))
+	_add([a.cross(b)], tr("That is the determinant ax by − ay bx, not the dot product."))
+	_add([a.scalar_projection(b)], tr("That is the scalar projection: a · b itself is not divided by |b|."))
+	_add([-a.dot(b)], tr("The sign is wrong: a product of two numbers with unlike signs is negative."))
+
+
+func _ask_scalar() -> void:
+	_ask(tr("a = %s, b = %s. What is the scalar projection of a on b?"), ["a · b̂ ="], [a.scalar_projection(b)])
+	_add([a.dot(b)], _not_normalized(1))
+	_add([a.dot(b) / b.length_squared()], tr("Divided by |b| twice: a · b / |b| is enough for the scalar."))
+	_add([b.scalar_projection(a)], tr("That is b on a: a · b̂ is not b · â."))
+	_add([-a.scalar_projection(b)], tr("The sign is wrong: beyond 90 degrees it is negative, below positive."))
+	_add([a.length()], tr("That is |a|: the shadow of a on b is shorter, unless both are parallel."))
+	_add([a.cross(b) / b.length()], tr("That is the distance of a from the line along b: the rest, not the shadow."))
+
+
+func _ask_vector() -> void:
+	var right := a.vector_projection(b)
+	_ask(tr("a = %s, b = %s. What is the vector projection p of a on b?"), ["px =", "py ="], [right.x, right.y])
+	_add_vector(b.scaled(a.dot(b)), _not_normalized(2))
+	_add_vector(b.scaled(a.scalar_projection(b)), _not_normalized(1))
+	_add_vector(b.vector_projection(a), tr("That is b on a: p must be parallel to b."))
+	_add_vector(a.rejection(b), tr("That is the rest a − p: it is perpendicular to b."))
+	_add_vector(right.negated(), tr("p points the other way: mind the sign of a · b."))
+
+
+func _not_normalized(times: int) -> String:
+	var size := NumberText.short(pow(b.length(), times))
+	var cause := tr("b was not normalized: that is |b| = %s times too big.")
+	if times == 2:
+		cause = tr("b was not normalized, in two places: that is |b|² = %s times too big.")
+	return cause % size
+
+
+func _ask(question: String, titles: PackedStringArray, answer: PackedFloat64Array) -> void:
+	prompt = question % [NumberText.pair(a.x, a.y), NumberText.pair(b.x, b.y)]
+	answer_titles = titles
+	right_answer = answer
+
+
+func _add(answer: PackedFloat64Array, sentence: String) -> void:
+	add_mistake(answer, sentence)
+
+
+func _add_vector(answer: Vec2, sentence: String) -> void:
+	add_mistake([answer.x, answer.y], sentence)
