@@ -1,23 +1,63 @@
 # shellcheck shell=bash
-# What every tool shares: where things are, how they speak. Sourced, never run.
+# What every tool shares: where things are, which versions, how they speak. Sourced, never run.
 
 LAB_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+LAB_BUILD=$LAB_ROOT/build
 LAB_CACHE=${XDG_CACHE_HOME:-$HOME/.cache}/vec2-lab
 
 GODOT_VERSION=4.6.3
+GODOT_RELEASES=${GODOT_RELEASES:-https://github.com/godotengine/godot-builds/releases/download}
 GUT_VERSION=9.6.0
 GUT_COMMIT=9f3edeb19df664ad32c369353d8d62dbb7b80673
 GUT_PUBLIC_REPO=https://github.com/bitwes/Gut.git
 GDTOOLKIT_VERSION=4.5.0
+SHELLCHECK_VERSION=0.11.0.1
 
-export LAB_ROOT LAB_CACHE GODOT_VERSION GUT_VERSION GUT_COMMIT GUT_PUBLIC_REPO GDTOOLKIT_VERSION
+export LAB_ROOT LAB_BUILD LAB_CACHE GODOT_VERSION GODOT_RELEASES GUT_VERSION GUT_COMMIT GUT_PUBLIC_REPO
+export GDTOOLKIT_VERSION SHELLCHECK_VERSION
 
-say() { printf '%s\n' "$*" >&2; }
+say() { printf 'lab: %s\n' "$*" >&2; }
 
 # die CODE MESSAGE: one line on what is wrong and what is allowed; exit code 2 means "asked for wrongly".
 die() {
 	local code=$1
 	shift
-	say "lab: $*"
+	say "$@"
 	exit "$code"
 }
+
+# need COMMAND PACKAGE...: true when COMMAND is there, or could be installed (as root, where apt-get is).
+need() {
+	local command=$1
+	shift
+	command -v "$command" >/dev/null || install_packages "'$command' is missing" "$@"
+}
+
+# install_packages REASON PACKAGE...
+install_packages() {
+	local reason=$1
+	shift
+	if [ "$(id -u)" -ne 0 ] || ! command -v apt-get >/dev/null; then
+		say "$reason; please install it (on Debian: apt-get install $*)"
+		return 1
+	fi
+	say "$reason: installing $* with apt-get"
+	apt-get -q update >&2 &&
+		DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$@" >&2
+}
+
+# build/ holds what can be made again; Godot must not import its pictures.
+make_build_folder() {
+	mkdir -p "$LAB_BUILD"
+	touch "$LAB_BUILD/.gdignore"
+}
+
+# Godot and GUT at hand, the project imported; sets `godot`. Every command that starts Godot begins with it.
+prepare_project() {
+	godot=$("$LAB_ROOT/tools/get_godot.sh")
+	"$LAB_ROOT/tools/get_gut.sh"
+	"$LAB_ROOT/tools/import.sh" "$godot"
+}
+
+# engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none.
+engine_messages() { grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" || true; }

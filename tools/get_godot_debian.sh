@@ -8,19 +8,30 @@ set -euo pipefail
 
 [ $# -eq 1 ] || die 2 "usage: tools/get_godot_debian.sh FOLDER"
 [ "$(uname -sm)" = "Linux x86_64" ] || die 2 "Debian's packages are for Linux x86_64, not $(uname -sm)"
-command -v apt-get dpkg-deb >/dev/null || die 2 "this way to Godot needs apt-get and dpkg-deb"
+for tool in apt-get dpkg-deb flock; do
+	command -v "$tool" >/dev/null || die 2 "this way to Godot needs $tool"
+done
 folder=$1
+world=$folder.partial/apt
+root=$folder/root
+libraries=$root/usr/lib/x86_64-linux-gnu
+program=$folder/bin/godot
 packages=(godot godot-template-release patchelf libgl1 libegl1 libgl1-mesa-dri)
 
 # The mirror is the one this machine already uses; apt checks the packages' signatures.
-mirror() { apt-get indextargets --format '$(REPO_URI) $(RELEASE)' | awk '$2 !~ /security|updates|backports/ {print $1; exit}'; }
+mirror() {
+	apt-get indextargets --format "\$(REPO_URI) \$(RELEASE)" |
+		awk '$2 !~ /security|updates|backports/ && !found {print $1; found = 1}'
+}
 
 # apt gets a world of its own: nothing of the system is read but its keys, nothing is changed.
 private_apt() {
-	local world=$1
+	local address
+	address=$(mirror)
+	[ -n "$address" ] || die 1 "apt knows no mirror yet; run 'apt-get update' first"
 	mkdir -p "$world/parts" "$world/state/lists/partial" "$world/archives/partial"
 	: >"$world/status"
-	printf 'deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] %s forky main\n' "$(mirror)" >"$world/sources.list"
+	printf 'deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] %s forky main\n' "$address" >"$world/sources.list"
 	cat >"$world/apt.conf" <<-CONF
 		Dir::Etc::sourcelist "$world/sources.list";
 		Dir::Etc::sourceparts "$world/parts";
@@ -35,6 +46,22 @@ private_apt() {
 	export APT_CONFIG=$world/apt.conf
 }
 
+# Downloads survive an interruption in FOLDER.partial; apt verifies and continues them.
+download() {
+	say "reading Debian's package lists (forky)"
+	apt-get -q update >&2
+	say "downloading Godot $GODOT_VERSION and what it stands on from Debian"
+	apt-get -q -y --download-only install "${packages[@]}" >&2
+}
+
+unpack() {
+	local archives=("$world"/archives/*.deb) archive
+	say "unpacking ${#archives[@]} packages ($(du -sh "$world/archives" | cut -f1)) into $root"
+	for archive in "${archives[@]}"; do
+		dpkg-deb -x "$archive" "$root"
+	done
+}
+
 # The unpacked patchelf cannot start by itself on an older system: it goes through the unpacked loader.
 patchelf() { "$libraries/ld-linux-x86-64.so.2" --library-path "$libraries:$libraries/pulseaudio" "$root/usr/bin/patchelf" "$@"; }
 
@@ -42,9 +69,10 @@ patchelf() { "$libraries/ld-linux-x86-64.so.2" --library-path "$libraries:$libra
 forget_run_paths() {
 	local file
 	for file in "$libraries"/libpulse*.so* "$libraries"/pulseaudio/*.so "$libraries"/libLLVM.so.*; do
-		[ -f "$file" ] && [ ! -L "$file" ] && patchelf --remove-rpath "$file"
+		if [ -f "$file" ] && [ ! -L "$file" ]; then
+			patchelf --remove-rpath "$file"
+		fi
 	done
-	return 0
 }
 
 bind_to_libraries() {
@@ -52,24 +80,26 @@ bind_to_libraries() {
 		--set-rpath "$libraries:$libraries/pulseaudio" "$1"
 }
 
-world=$folder.partial/apt
-root=$folder/root
-libraries=$root/usr/lib/x86_64-linux-gnu
+# The program gets its name last: an interrupted run never leaves half a Godot that counts as one.
+install_program() {
+	mkdir -p "$folder/bin"
+	cp "$root/usr/bin/godot" "$program.partial"
+	bind_to_libraries "$program.partial"
+	"$program.partial" --version >/dev/null
+	mv "$program.partial" "$program"
+}
 
-# Downloads survive an interruption in FOLDER.partial; apt verifies and continues them.
-private_apt "$world"
-say "lab: reading Debian's package lists (forky)"
-apt-get -q update >&2
-apt-get -q -y --download-only install "${packages[@]}" >&2
-
-rm -rf "$folder" && mkdir -p "$root"
-count=$(find "$world/archives" -maxdepth 1 -name '*.deb' | wc -l)
-say "lab: unpacking $count packages ($(du -sh "$world/archives" | cut -f1)) into $root"
-find "$world/archives" -maxdepth 1 -name '*.deb' -print0 | xargs -0 -I{} dpkg-deb -x {} "$root"
-forget_run_paths
-mkdir -p "$folder/bin"
-cp "$root"/usr/bin/godot "$folder/bin/godot"
-bind_to_libraries "$folder/bin/godot"
-"$folder/bin/godot" --version >&2
-rm -rf "$folder.partial"
-echo "$folder/bin/godot"
+mkdir -p "$(dirname "$folder")"
+exec 9>"$folder.lock"
+flock 9
+if [ ! -x "$program" ]; then
+	private_apt
+	download
+	rm -rf "$folder"
+	mkdir -p "$root"
+	unpack
+	forget_run_paths
+	install_program
+	rm -rf "$folder.partial"
+fi
+echo "$program"

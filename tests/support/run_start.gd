@@ -1,0 +1,8 @@
+extends GutHookScript
+## Runs before the first test. From this line on the runner itself watches the engine's errors.
+
+
+func run() -> void:
+	DirAccess.make_dir_recursive_absolute("res://build/test")
+	FileAccess.open("res://build/.gdignore", FileAccess.WRITE)
+	print("=== first test")

@@ -1,0 +1,46 @@
+extends SceneTree
+## Loads every script of the project with Godot's warnings turned into errors, and fails when one
+## does not load.
+## Usage: godot --headless --path . -s tools/check_scripts.gd
+
+const SKIPPED: PackedStringArray = ["res://addons", "res://build"]
+const WARNINGS := "debug/gdscript/warnings/"
+const WARN := 1
+const ERROR := 2
+
+
+func _init() -> void:
+	_turn_warnings_into_errors()
+	# Godot takes over changed settings at the end of a frame.
+	await process_frame
+	var failed := 0
+	var scripts := _scripts_below("res://")
+	for path: String in scripts:
+		# Not from the cache: what was loaded before the settings changed is checked too.
+		var script := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE) as GDScript
+		if script == null or not (script.can_instantiate() or script.is_abstract()):
+			print("%s does not pass Godot's check" % path.trim_prefix("res://"))
+			failed += 1
+	print("Godot's check: %d scripts, %d failed" % [scripts.size(), failed])
+	quit(1 if failed > 0 or scripts.is_empty() else 0)
+
+
+## Warnings that the project has switched off stay off.
+func _turn_warnings_into_errors() -> void:
+	for property: Dictionary in ProjectSettings.get_property_list():
+		var setting: String = property["name"]
+		if setting.begins_with(WARNINGS) and is_same(ProjectSettings.get_setting(setting), WARN):
+			ProjectSettings.set_setting(setting, ERROR)
+
+
+func _scripts_below(folder: String) -> PackedStringArray:
+	var found := PackedStringArray()
+	if folder in SKIPPED or FileAccess.file_exists(folder.path_join(".gdignore")):
+		return found
+	for file: String in DirAccess.get_files_at(folder):
+		if file.get_extension() == "gd":
+			found.append(folder.path_join(file))
+	for inner: String in DirAccess.get_directories_at(folder):
+		if not inner.begins_with("."):
+			found.append_array(_scripts_below(folder.path_join(inner)))
+	return found

