@@ -2,7 +2,8 @@ class_name Palette
 ## Every colour of the lab, by the role it plays. Nothing else names a colour.
 ##
 ## The hues follow the set of Okabe and Ito, darkened until text in them reads on [constant PAPER]
-## (contrast 4.5 or more), and stay apart for readers with any of the three kinds of colour blindness:
+## (contrast 4.5 or more), and stay apart for readers with any of the three kinds of colour
+## blindness:
 ## a test simulates them. Colour never stands alone: arrows carry a label, lines a pattern.
 
 ## What a colour stands for in a picture, a formula and a readout.

@@ -1,5 +1,6 @@
 class_name InputHelp
-## The help line at the foot of the screen, made from the InputMap: it cannot differ from what the keys do.
+## The help line at the foot of the screen, made from the InputMap: it cannot differ from what the
+## keys do.
 
 ## What an action does, in a word: source text, translated where it is shown.
 const PURPOSES: Dictionary[StringName, String] = {

@@ -1,6 +1,7 @@
 class_name LessonFrame
 extends PanelContainer
-## The frame around a lesson: title, board, panel with the services that the lesson needs, help, undo.
+## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
+## undo.
 
 const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 const _ACTIONS: Array[StringName] = [

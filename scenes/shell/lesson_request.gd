@@ -1,13 +1,14 @@
 class_name LessonRequest
-## Which lesson was asked for when the lab was started: `-- --lesson=<id>`, or `#<id>` in a browser's address.
+## Which lesson was asked for when the lab was started: `-- --lesson=<id>`, or `#<id>` in a
+## browser's address.
 
 const _ARGUMENT := "--lesson="
-
 
 static var _is_taken := false
 
 
-## The id asked for; "" where none was. Asks once: who comes back from the lesson finds the start screen.
+## The id asked for; "" where none was. Asks once: who comes back from the lesson finds the start
+## screen.
 static func take_id() -> String:
 	if _is_taken:
 		return ""

@@ -1,7 +1,9 @@
 class_name WindowFit
-## Fits the lab's drawing size to the window, so that text keeps its size on tall and small windows too.
+## Fits the lab's drawing size to the window, so that text keeps its size on tall and small windows
+## too.
 ##
-## The engine scales everything drawn (`canvas_items`, `expand`); this chooses the size that it scales from.
+## The engine scales everything drawn (`canvas_items`, `expand`); this chooses the size that it
+## scales from.
 
 ## Heights and widths that the layouts are made for, in pixels of the drawing.
 const SHORT_SIDE := 720

@@ -2,7 +2,9 @@ class_name Exercise
 extends RefCounted
 ## One question with its right answer and the answers that known mistakes lead to.
 ##
-## An exercise fills the fields; [method check] compares an answer with them. Texts are translated already.
+## An exercise fills the fields; [method check] compares an answer with them. Texts are translated
+## already.
+
 
 ## A wrong answer that stems from a known mistake.
 class Mistake:
@@ -43,7 +45,8 @@ func add_mistake(answer: PackedFloat64Array, sentence: String) -> void:
 	mistakes.append(mistake)
 
 
-## Right, a known mistake, or simply not right; [param answer] has as many numbers as were asked for.
+## Right, a known mistake, or simply not right; [param answer] has as many numbers as were asked
+## for.
 func check(answer: PackedFloat64Array) -> Verdict:
 	var verdict := Verdict.new()
 	verdict.is_right = _same(answer, right_answer)
@@ -57,7 +60,8 @@ func _sentence_for(answer: PackedFloat64Array) -> String:
 	for mistake in mistakes:
 		if _same(answer, mistake.answer):
 			return mistake.sentence
-	return TranslationServer.translate("%s is not it yet. Go through the steps with these numbers.") % text_of(answer)
+	var sentence := TranslationServer.translate("%s is not it yet. Go through the steps once more.")
+	return sentence % text_of(answer)
 
 
 ## The numbers of an answer as they are written: `5`, or `(4, -3)` for two.

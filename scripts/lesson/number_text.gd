@@ -41,13 +41,19 @@ static func factor(value: float, digits: int = 4) -> String:
 	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
 
 
-## "" if [param text] is a number that the lab takes; else one sentence with the text and what is allowed.
+## "" if [param text] is a number that the lab takes; else one sentence with the text and what is
+## allowed.
 static func problem(text: String) -> String:
 	var plain := _plain(text)
 	if not plain.is_valid_float() or not is_finite(plain.to_float()):
-		return TranslationServer.translate("“%s” is not a number: type one like 7, -2.5 or 3e8.") % text
+		return (
+			TranslationServer.translate("“%s” is not a number: type one like 7, -2.5 or 3e8.")
+			% text
+		)
 	if absf(plain.to_float()) > LARGEST:
-		return TranslationServer.translate("%s is too large: numbers go from -1e100 to 1e100.") % text
+		return (
+			TranslationServer.translate("%s is too large: numbers go from -1e100 to 1e100.") % text
+		)
 	return ""
 
 

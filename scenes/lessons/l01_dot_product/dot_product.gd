@@ -1,5 +1,6 @@
 extends Lesson
-## The lesson on the dot product: two vectors, the shadow of one on the other, and the numbers beside them.
+## The lesson on the dot product: two vectors, the shadow of one on the other, and the numbers
+## beside them.
 
 const _STEP_COUNT := 5
 ## The sweep turns the shadowed vector this fast, in degrees a second.
@@ -21,21 +22,15 @@ var _exercise: ProjectionExercise
 var _exercise_kind := ProjectionExercise.Kind.SCALAR
 
 var _steps: Steps
-var _formula: Formula
+var _formula: DotProductFormula
 var _readout: Readout
 var _options: Options
 var _transport: Transport
 var _question: Question
 
+@onready var _drawing: DotProductDrawing = %Drawing
 @onready var _a: DraggableVector = %A
 @onready var _b: DraggableVector = %B
-@onready var _unit: Arrow = %Unit
-@onready var _projection: Arrow = %Projection
-@onready var _rest: Arrow = %Rest
-@onready var _tail_shadow: Arrow = %TailShadow
-@onready var _head_shadow: Arrow = %HeadShadow
-@onready var _angle: AngleArc = %Angle
-@onready var _right_angle: AngleArc = %RightAngle
 @onready var _plot: Plot = %Plot
 @onready var _verdict: SignVerdict = %Verdict
 
@@ -43,7 +38,7 @@ var _question: Question
 func start() -> void:
 	_bring_services()
 	_connect_board()
-	_define_formula()
+	_connect_formula()
 	_fill_options()
 	_ask()
 	resized.connect(_show_all)
@@ -61,7 +56,6 @@ func show_state(stored: Dictionary) -> void:
 
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
-	_formula = services[&"formula"] as Formula
 	_readout = services[&"readout"] as Readout
 	_options = services[&"options"] as Options
 	_transport = services[&"transport"] as Transport
@@ -81,23 +75,12 @@ func _connect_board() -> void:
 	_transport.advanced.connect(_sweep)
 
 
-func _define_formula() -> void:
-	_formula.define_symbol("a", "a", Palette.Role.A)
-	_formula.define_symbol("b", "b", Palette.Role.B)
-	_formula.define_symbol("p", "p", Palette.Role.PROJECTION)
-	_formula.define_number("ax", Palette.Role.A, tr("x of a"))
-	_formula.define_number("ay", Palette.Role.A, tr("y of a"))
-	_formula.define_number("bx", Palette.Role.B, tr("x of b"))
-	_formula.define_number("by", Palette.Role.B, tr("y of b"))
-	_formula.define_number("e_pair", Palette.Role.UNIT)
-	_formula.define_number("dot", Palette.Role.INK)
-	_formula.define_number("scalar", Palette.Role.PROJECTION)
-	_formula.define_number("p_pair", Palette.Role.PROJECTION)
-	_formula.define_number("rest_pair", Palette.Role.REST)
-	_formula.define_number("check", Palette.Role.REST)
-	_formula.number_entered.connect(_enter_number)
-	_formula.role_pointed.connect(_light)
-	_formula.refused.connect(noticed.emit)
+func _connect_formula() -> void:
+	var panel := services[&"formula"] as Formula
+	_formula = DotProductFormula.new(panel)
+	panel.number_entered.connect(_enter_number)
+	panel.role_pointed.connect(_drawing.light)
+	panel.refused.connect(noticed.emit)
 
 
 func _fill_options() -> void:
@@ -181,7 +164,9 @@ func _lay_from_origin(a: Vec2, b: Vec2) -> void:
 
 func _ask() -> void:
 	_exercise = ProjectionExercise.fresh(_exercise_kind, _rng)
-	_exercise_kind = (_exercise_kind + 1) % ProjectionExercise.Kind.size() as ProjectionExercise.Kind
+	_exercise_kind = (
+		(_exercise_kind + 1) % ProjectionExercise.Kind.size() as ProjectionExercise.Kind
+	)
 	_question.show_exercise(_exercise)
 
 
@@ -193,14 +178,6 @@ func _go_to_step(step: int) -> void:
 func _finish() -> void:
 	_show_all()
 	edited.emit()
-
-
-func _light(role: Palette.Role) -> void:
-	_a.light(role == Palette.Role.A)
-	_b.light(role == Palette.Role.B)
-	_unit.lit = role == Palette.Role.UNIT
-	_projection.lit = role == Palette.Role.PROJECTION
-	_rest.lit = role == Palette.Role.REST
 
 
 # What the student sees.
@@ -215,82 +192,17 @@ func _show_all() -> void:
 
 
 func _show_model() -> void:
-	_a.lay(_model.a_tail, _model.a_head)
-	_b.lay(_model.b_tail, _model.b_head)
-	_show_projection()
-	_show_angle()
-	_show_formula()
-	_show_readout()
+	_drawing.show_model(_model, _step)
+	_formula.show_model(_model, _step)
 	_verdict.show_sign(_model.side(), _model.scalar_projection())
+	_show_plot()
+	_show_readout()
 
 
-func _show_projection() -> void:
-	var tail := _model.shadowed_tail()
-	var head := tail.plus(_model.shadowed())
-	var onto_tail := _model.onto_tail()
-	var tail_foot := _model.foot(tail)
-	var head_foot := _model.foot(head)
-	_unit.label = DotProductTexts.unit_symbol(_model)
-	_unit.lay(onto_tail, onto_tail.plus(_model.unit()))
-	_projection.lay(tail_foot, tail_foot.plus(_model.vector_projection()))
-	_rest.lay(tail.plus(_model.vector_projection()), head)
-	_tail_shadow.lay(tail, tail_foot)
-	_head_shadow.lay(head, head_foot)
-	_right_angle.measure(head_foot, _model.onto().negated(), _model.rest())
-	_unit.keep_label_from(head)
-	_projection.keep_label_from(head)
-	_rest.keep_label_from(tail)
-	_show_by_step()
-
-
-func _show_by_step() -> void:
-	_unit.visible = _step >= 1 and _model.normalizes
-	_tail_shadow.visible = _step >= 2
-	_head_shadow.visible = _step >= 2
-	_projection.visible = _step >= 3
-	_rest.visible = _step >= 4 and _model.normalizes
-	_right_angle.visible = _right_angle.visible and _rest.visible
-
-
-func _show_angle() -> void:
-	_angle.measure(_model.onto_tail(), _model.onto(), _model.shadowed())
+func _show_plot() -> void:
 	var reach := _model.a().length() * _model.b().length()
 	var product := func(degrees: float) -> float: return reach * cos(Vec2.deg_to_rad(degrees))
 	_plot.show_function(product, reach, _model.signed_angle_degrees())
-
-
-func _show_formula() -> void:
-	_formula.define_symbol("u", DotProductTexts.shadowed_symbol(_model), _shadowed_role())
-	_formula.define_symbol("w", DotProductTexts.onto_symbol(_model), _onto_role())
-	_formula.define_symbol("e", DotProductTexts.unit_symbol(_model), Palette.Role.UNIT)
-	for name_in_line: String in ["u_x", "u_y"]:
-		_formula.define_number(name_in_line, _shadowed_role())
-	for name_in_line: String in ["w_x", "w_y", "w_length"]:
-		_formula.define_number(name_in_line, _onto_role())
-	_formula.show_lines(DotProductTexts.lines(_model, _step))
-	_put_numbers(_model.a(), _model.b(), _model.shadowed(), _model.onto())
-	_formula.set_number("dot", _model.dot())
-	_formula.set_number("scalar", _model.scalar_projection())
-	_put_pair("e_pair", _model.unit())
-	_put_pair("p_pair", _model.vector_projection())
-	_put_pair("rest_pair", _model.rest())
-	_formula.set_number("check", _model.rest().dot(_model.onto()))
-
-
-func _put_numbers(a: Vec2, b: Vec2, shadowed: Vec2, onto: Vec2) -> void:
-	_formula.set_number("ax", a.x)
-	_formula.set_number("ay", a.y)
-	_formula.set_number("bx", b.x)
-	_formula.set_number("by", b.y)
-	_formula.set_number("u_x", shadowed.x)
-	_formula.set_number("u_y", shadowed.y)
-	_formula.set_number("w_x", onto.x)
-	_formula.set_number("w_y", onto.y)
-	_formula.set_number("w_length", onto.length())
-
-
-func _put_pair(name_in_line: String, vector: Vec2) -> void:
-	_formula.set_text(name_in_line, NumberText.pair(vector.x, vector.y))
 
 
 func _show_readout() -> void:
@@ -307,11 +219,3 @@ func _show_way(key: String, title: String, way: Callable) -> void:
 	var value: float = way.call()
 	var error := ExactProjection.error_of_scalar_projection(value, _model.shadowed(), _model.onto())
 	_readout.show_row(key, title, value, error, CallTimer.nanoseconds(way))
-
-
-func _shadowed_role() -> Palette.Role:
-	return Palette.Role.B if _model.is_swapped else Palette.Role.A
-
-
-func _onto_role() -> Palette.Role:
-	return Palette.Role.A if _model.is_swapped else Palette.Role.B

@@ -46,6 +46,11 @@ func shadowed_tail() -> Vec2:
 	return b_tail if is_swapped else a_tail
 
 
+## Where the vector whose shadow is looked for ends.
+func shadowed_head() -> Vec2:
+	return b_head if is_swapped else a_head
+
+
 ## a . b = ax bx + ay by, in square units.
 func dot() -> float:
 	return a().dot(b())
@@ -56,7 +61,8 @@ func angle_degrees() -> float:
 	return absf(signed_angle_degrees())
 
 
-## The angle from [method onto] to [method shadowed] in degrees, in (-180, 180], clockwise on screen.
+## The angle from [method onto] to [method shadowed] in degrees, in (-180, 180], clockwise on
+## screen.
 func signed_angle_degrees() -> float:
 	return Vec2.rad_to_deg(onto().angle_to(shadowed()))
 
@@ -71,7 +77,8 @@ func scalar_projection() -> float:
 	return shadowed().scalar_projection(onto()) if normalizes else dot()
 
 
-## The vector projection as the switch has it: scalar times unit vector, or times the vector as it is.
+## The vector projection as the switch has it: scalar times unit vector, or times the vector as it
+## is.
 func vector_projection() -> Vec2:
 	if normalizes:
 		return shadowed().vector_projection(onto())

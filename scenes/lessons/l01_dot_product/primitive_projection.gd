@@ -1,5 +1,6 @@
 class_name PrimitiveProjection
-## The projection by angles, as one does it who does not know the dot product: slow, cumbersome and less exact.
+## The projection by angles, as one does it who does not know the dot product: slow, cumbersome and
+## less exact.
 
 
 ## |a| cos(angle of a - angle of onto), with both angles by atan2. 0 for a zero onto.

@@ -1,6 +1,7 @@
 class_name ProjectionExercise
 extends Exercise
-## Asks for a dot product, a scalar projection or a vector projection of two fresh whole-number vectors.
+## Asks for a dot product, a scalar projection or a vector projection of two fresh whole-number
+## vectors.
 ##
 ## b is a multiple of a Pythagorean triple, so that its length is whole and answers are short.
 
@@ -49,36 +50,45 @@ func _ask_dot() -> void:
 	_add([a.x * b.x - a.y * b.y], tr("The products are added, not subtracted: ax bx + ay by."))
 	_add([a.x * b.y + a.y * b.x], tr("x goes with x, and y with y: ax bx + ay by."))
 	_add([a.cross(b)], tr("That is the determinant ax by − ay bx, not the dot product."))
-	_add([a.scalar_projection(b)], tr("That is the scalar projection: a · b itself is not divided by |b|."))
-	_add([-a.dot(b)], tr("The sign is wrong: a product of two numbers with unlike signs is negative."))
+	_add(
+		[a.scalar_projection(b)], tr("That is the scalar projection: a · b is not divided by |b|.")
+	)
+	_add([-a.dot(b)], tr("The sign is wrong: unlike signs make a product negative."))
 
 
 func _ask_scalar() -> void:
-	_ask(tr("a = %s, b = %s. What is the scalar projection of a on b?"), ["a · b̂ ="], [a.scalar_projection(b)])
-	_add([a.dot(b)], _not_normalized(1))
-	_add([a.dot(b) / b.length_squared()], tr("Divided by |b| twice: a · b / |b| is enough for the scalar."))
+	var right := a.scalar_projection(b)
+	_ask(tr("a = %s, b = %s. What is the scalar projection of a on b?"), ["a · b̂ ="], [right])
+	_add([a.dot(b)], _not_normalized())
+	_add([right / b.length()], tr("Divided by |b| twice: a · b / |b| is enough for the scalar."))
 	_add([b.scalar_projection(a)], tr("That is b on a: a · b̂ is not b · â."))
-	_add([-a.scalar_projection(b)], tr("The sign is wrong: beyond 90 degrees it is negative, below positive."))
-	_add([a.length()], tr("That is |a|: the shadow of a on b is shorter, unless both are parallel."))
-	_add([a.cross(b) / b.length()], tr("That is the distance of a from the line along b: the rest, not the shadow."))
+	_add([-right], tr("The sign is wrong: negative beyond 90 degrees, positive below."))
+	_add([a.length()], tr("That is |a|: the shadow is shorter, unless both are parallel."))
+	_add(
+		[a.cross(b) / b.length()],
+		tr("That is the distance from the line: the rest, not the shadow.")
+	)
 
 
 func _ask_vector() -> void:
 	var right := a.vector_projection(b)
-	_ask(tr("a = %s, b = %s. What is the vector projection p of a on b?"), ["px =", "py ="], [right.x, right.y])
-	_add_vector(b.scaled(a.dot(b)), _not_normalized(2))
-	_add_vector(b.scaled(a.scalar_projection(b)), _not_normalized(1))
+	var question := tr("a = %s, b = %s. What is the vector projection p of a on b?")
+	_ask(question, ["px =", "py ="], [right.x, right.y])
+	_add_vector(b.scaled(a.dot(b)), _not_normalized_twice())
+	_add_vector(b.scaled(a.scalar_projection(b)), _not_normalized())
 	_add_vector(b.vector_projection(a), tr("That is b on a: p must be parallel to b."))
 	_add_vector(a.rejection(b), tr("That is the rest a − p: it is perpendicular to b."))
 	_add_vector(right.negated(), tr("p points the other way: mind the sign of a · b."))
 
 
-func _not_normalized(times: int) -> String:
-	var size := NumberText.short(pow(b.length(), times))
-	var cause := tr("b was not normalized: that is |b| = %s times too big.")
-	if times == 2:
-		cause = tr("b was not normalized, in two places: that is |b|² = %s times too big.")
-	return cause % size
+func _not_normalized() -> String:
+	var sentence := tr("b was not normalized: that is |b| = %s times too big.")
+	return sentence % NumberText.short(b.length())
+
+
+func _not_normalized_twice() -> String:
+	var sentence := tr("b was not normalized, in two places: that is |b|² = %s times too big.")
+	return sentence % NumberText.short(b.length_squared())
 
 
 func _ask(question: String, titles: PackedStringArray, answer: PackedFloat64Array) -> void:

@@ -14,7 +14,8 @@ var _start := 0.0
 var _sweep := 0.0
 
 
-## Measures from [param first] to [param second], the short way round, with the corner at [param corner].
+## Measures from [param first] to [param second], the short way round, with the corner at [param
+## corner].
 func measure(corner: Vec2, first: Vec2, second: Vec2) -> void:
 	_corner = corner.copy()
 	_start = first.angle_radians()
@@ -32,7 +33,9 @@ func _draw() -> void:
 		draw_arc(corner, radius, _start, _start + _sweep, 48, ink, 2.0, true)
 	if shows_value:
 		var text := NumberText.short(absf(Vec2.rad_to_deg(_sweep)), 3) + "°"
-		draw_text(text, corner + Vector2.from_angle(_start + _sweep / 2.0) * (radius + 26.0), ink, 17)
+		draw_text(
+			text, corner + Vector2.from_angle(_start + _sweep / 2.0) * (radius + 26.0), ink, 17
+		)
 
 
 func _draw_square(corner: Vector2, ink: Color) -> void:

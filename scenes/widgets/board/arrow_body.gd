@@ -16,7 +16,8 @@ func place_between(tail: Vec2, head: Vec2) -> void:
 
 func _has_point(pixel: Vector2) -> bool:
 	var shaft := _shaft()
-	return pixel.distance_to(Geometry2D.get_closest_point_to_segment(pixel, shaft[0], shaft[1])) <= REACH
+	var nearest := Geometry2D.get_closest_point_to_segment(pixel, shaft[0], shaft[1])
+	return pixel.distance_to(nearest) <= REACH
 
 
 func _draw() -> void:

@@ -7,7 +7,8 @@ extends Control
 
 ## Scale, middle or size changed: what is drawn on the board has to be drawn again.
 signal view_changed
-## The empty board was clicked, with `MOUSE_BUTTON_LEFT` or `MOUSE_BUTTON_RIGHT`, or is being dragged on.
+## The empty board was clicked, with `MOUSE_BUTTON_LEFT` or `MOUSE_BUTTON_RIGHT`, or is being
+## dragged on.
 signal pointed(at: Vec2, button: MouseButton)
 ## The click or drag that [signal pointed] told of has ended.
 signal released

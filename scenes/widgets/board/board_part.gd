@@ -18,7 +18,8 @@ func _exit_tree() -> void:
 	board.view_changed.disconnect(queue_redraw)
 
 
-## A text with a rim of the board's colour, so that it reads on top of lines; [param middle] is its centre.
+## A text with a rim of the board's colour, so that it reads on top of lines; [param middle] is its
+## centre.
 func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
 	var font := ThemeDB.fallback_font
 	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)

@@ -1,6 +1,7 @@
 class_name DraggableVector
 extends Node2D
-## An arrow whose head, tail and body can be dragged or nudged: the vector that a student plays with.
+## An arrow whose head, tail and body can be dragged or nudged: the vector that a student plays
+## with.
 
 ## Head or tail should be here now. Comes many times during a drag.
 signal moved(tail: Vec2, head: Vec2)

@@ -1,6 +1,7 @@
 class_name Handle
 extends Control
-## A point on the board that can be dragged: by mouse, touch, or with the arrow keys when it has the focus.
+## A point on the board that can be dragged: by mouse, touch, or with the arrow keys when it has
+## the focus.
 ##
 ## It only asks to be moved: the lesson changes its model and then calls [method place]. Snaps to
 ## the grid; Shift frees it. Large enough for a finger.
@@ -95,7 +96,8 @@ func _drag_to(motion: InputEventMouseMotion) -> void:
 
 # The point of the plane below `pixel` of this control.
 func _plane_point(pixel: Vector2) -> Vec2:
-	return _board.to_plane(_board.get_global_transform().affine_inverse() * get_global_transform() * pixel)
+	var to_board := _board.get_global_transform().affine_inverse() * get_global_transform()
+	return _board.to_plane(to_board * pixel)
 
 
 func _nudge(event: InputEvent) -> void:

@@ -36,7 +36,8 @@ func _ready() -> void:
 	accessibility_name = tr(title)
 
 
-## Draws [param function], from x to y, with the y axis from -[param y_reach] to y_reach, and the live point at [param x].
+## Draws [param function], from x to y, with the y axis from -[param y_reach] to y_reach, and the
+## live point at [param x].
 func show_function(function: Callable, y_reach: float, x: float) -> void:
 	_function = function
 	_y_reach = maxf(y_reach, 1e-300)

@@ -1,9 +1,12 @@
 class_name Formula
 extends VBoxContainer
-## Formulas with their numbers put in: every symbol in the colour of its arrow, numbers that can be typed over.
+## Formulas with their numbers put in: every symbol in the colour of its arrow, numbers that can be
+## typed over.
 ##
-## A line is a text with names in braces, such as `{a} · {b} = {dot}`. The lesson first says what each
-## name is: [method define_symbol] or [method define_number]. Then it shows lines and keeps the numbers current.
+## A line is a text with names in braces, such as `{a} · {b} = {dot}`. The lesson first says what
+## each
+## name is: [method define_symbol] or [method define_number]. Then it shows lines and keeps the
+## numbers current.
 
 ## A number was typed over.
 signal number_entered(name: String, value: float)
@@ -63,6 +66,11 @@ func set_text(name_in_line: String, text: String) -> void:
 	if _parts.has(name_in_line):
 		for part: Control in _parts[name_in_line]:
 			_fill(part, name_in_line)
+
+
+## Puts a pair of numbers, such as (4, -3), into every line that names it.
+func set_vector(name_in_line: String, vector: Vec2) -> void:
+	set_text(name_in_line, NumberText.pair(vector.x, vector.y))
 
 
 func _add_line(line: String) -> void:

@@ -1,6 +1,7 @@
 class_name NumberField
 extends LineEdit
-## A number that can be typed over. What is not a number is refused with a sentence; the old value stays.
+## A number that can be typed over. What is not a number is refused with a sentence; the old value
+## stays.
 
 ## Enter was pressed, or the field left, with a new number in it.
 signal number_entered(value: float)

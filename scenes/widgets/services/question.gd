@@ -1,6 +1,7 @@
 class_name Question
 extends FoldableContainer
-## A question with fresh numbers: takes an answer, checks it, and says which mistake leads to a wrong one.
+## A question with fresh numbers: takes an answer, checks it, and says which mistake leads to a
+## wrong one.
 
 ## The student wants another question.
 signal exercise_wanted

@@ -10,7 +10,8 @@ func _ready() -> void:
 	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
 
 
-## Shows one row; a new [param key] adds it below. Error in the unit of the value; time per call in nanoseconds.
+## Shows one row; a new [param key] adds it below. Error in the unit of the value; time per call in
+## nanoseconds.
 func show_row(key: String, title: String, value: float, error: float, nanoseconds: float) -> void:
 	var texts: PackedStringArray = [
 		title,
