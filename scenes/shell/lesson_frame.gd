@@ -23,7 +23,7 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 @onready var _body: BoxContainer = %Body
 @onready var _board_place: Control = %BoardPlace
 @onready var _services: VBoxContainer = %Services
-@onready var _panel: Control = %Panel
+@onready var _panel: ScrollContainer = %Panel
 @onready var _notice: Label = %Notice
 @onready var _help: Label = %Help
 @onready var _undo: Button = %Undo
@@ -86,7 +86,17 @@ func _add_service(need: String) -> Control:
 	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
 	_help_actions.append_array(actions)
 	_services.add_child(service)
+	if service is FoldableContainer:
+		(service as FoldableContainer).folding_changed.connect(_show_unfolded.bind(service))
 	return service
+
+
+func _show_unfolded(is_folded: bool, service: Control) -> void:
+	# The panel knows the unfolded size only when it has been laid out once more.
+	await get_tree().process_frame
+	await get_tree().process_frame
+	if not is_folded:
+		_panel.ensure_control_visible(service)
 
 
 func _store() -> void:

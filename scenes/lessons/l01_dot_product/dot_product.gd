@@ -7,7 +7,7 @@ const _STEP_COUNT := 5
 const _SWEEP_SPEED := 30.0
 
 ## Ready-made situations by their titles (source text): x and y of a, x and y of b.
-const _PRESETS: Dictionary[String, PackedFloat64Array] = {
+const _PRESETS: Dictionary[String, Array] = {
 	"Lecture": [7.0, 1.0, 8.0, -6.0],
 	"Right angle": [4.0, 3.0, 6.0, -8.0],
 	"Obtuse": [-5.0, 2.0, 8.0, -6.0],
@@ -146,7 +146,7 @@ func _switch(key: String, on: bool) -> void:
 
 
 func _set_up(preset: String) -> void:
-	var numbers := _PRESETS[preset]
+	var numbers: PackedFloat64Array = _PRESETS[preset]
 	_lay_from_origin(Vec2.new(numbers[0], numbers[1]), Vec2.new(numbers[2], numbers[3]))
 
 
@@ -194,7 +194,7 @@ func _show_all() -> void:
 func _show_model() -> void:
 	_drawing.show_model(_model, _step)
 	_formula.show_model(_model, _step)
-	_verdict.show_sign(_model.side(), _model.scalar_projection())
+	_verdict.show_model(_model)
 	_show_plot()
 	_show_readout()
 

@@ -25,7 +25,7 @@ func show_model(model: DotProductModel, step: int) -> void:
 	_tail_shadow.visible = step >= 2
 	_head_shadow.visible = step >= 2
 	_projection.visible = step >= 3
-	_rest.visible = step >= 4 and model.normalizes
+	_rest.visible = step >= 4 and model.normalizes and model.rest().length() > 0.0
 	_right_angle.visible = _right_angle.visible and _rest.visible
 
 

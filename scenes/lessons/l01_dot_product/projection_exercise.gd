@@ -8,8 +8,8 @@ extends Exercise
 ## What is asked for.
 enum Kind { DOT, SCALAR, VECTOR }
 
-const _TRIPLES: Array[PackedFloat64Array] = [
-	[3.0, 4.0], [4.0, 3.0], [6.0, 8.0], [8.0, 6.0], [5.0, 12.0], [12.0, 5.0]
+const _TRIPLES: Array[Vector2i] = [
+	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(5, 12), Vector2i(12, 5)
 ]
 
 ## The vector whose shadow is asked for.
@@ -34,7 +34,7 @@ func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
 ## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
-	var onto := Vec2.new(triple[0] * _random_sign(rng), triple[1] * _random_sign(rng))
+	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var shadowed := Vec2.new(
 		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
 	)

@@ -7,14 +7,23 @@ extends PanelContainer
 @onready var _words: Label = %Words
 
 
-## Shows the sign [param side], -1, 0 or 1, and the scalar projection in units.
-func show_sign(side: int, scalar: float) -> void:
-	var words: PackedStringArray = [
+## Shows sign and size of the scalar projection, and how much too big it is without normalizing.
+func show_model(model: DotProductModel) -> void:
+	var scalar := NumberText.short(model.scalar_projection())
+	_words.text = tr("Scalar projection %s") % scalar + "\n" + _second_line(model)
+	_sign.text = [NumberText.MINUS, "0", "+"][model.side() + 1]
+	var roles: Array[Palette.Role] = [Palette.Role.WRONG, Palette.Role.QUIET, Palette.Role.RIGHT]
+	_ball.self_modulate = Palette.color(roles[model.side() + 1])
+
+
+func _second_line(model: DotProductModel) -> String:
+	if not model.normalizes:
+		var letter := DotProductTexts.onto_symbol(model)
+		var size := NumberText.short(model.onto().length())
+		return tr("wrong: |%s| = %s times too big") % [letter, size]
+	var sentences: PackedStringArray = [
 		tr("negative: the angle is above 90°"),
 		tr("zero: no shadow at all"),
 		tr("positive: the angle is below 90°"),
 	]
-	_words.text = tr("Scalar projection %s") % NumberText.short(scalar) + "\n" + words[side + 1]
-	_sign.text = [NumberText.MINUS, "0", "+"][side + 1]
-	var roles: Array[Palette.Role] = [Palette.Role.WRONG, Palette.Role.QUIET, Palette.Role.RIGHT]
-	_ball.self_modulate = Palette.color(roles[side + 1])
+	return sentences[model.side() + 1]
