@@ -98,7 +98,7 @@ func _fill_options() -> void:
 
 
 func _point(at: Vec2, button: MouseButton) -> void:
-	var head := snapped_to_grid(at)
+	var head := snapped_to_step(at)
 	if button == MOUSE_BUTTON_LEFT:
 		_move_a(_model.a_tail, head)
 	else:
@@ -218,4 +218,4 @@ func _show_readout() -> void:
 func _show_way(key: String, title: String, way: Callable) -> void:
 	var value: float = way.call()
 	var error := ExactProjection.error_of_scalar_projection(value, _model.shadowed(), _model.onto())
-	_readout.show_row(key, title, value, error, CallTimer.nanoseconds(way))
+	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(way))

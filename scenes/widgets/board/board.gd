@@ -23,8 +23,11 @@ const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
 
-## Units between two lines of the grid, also the step to which handles snap: 1, 2 or 5 times 10^n.
+## Units between two lines of the grid: 1, 2 or 5 times 10^n.
 var grid_step := 1.0
+
+## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
+var snap_step := 0.0
 
 var _middle := Vec2.new()
 var _pressed_button := MOUSE_BUTTON_NONE
@@ -56,11 +59,15 @@ func to_plane(pixel: Vector2) -> Vec2:
 	return point
 
 
-## The grid point next to [param point].
-func snapped_to_grid(point: Vec2) -> Vec2:
-	return Vec2.new(
-		roundf(point.x / grid_step) * grid_step, roundf(point.y / grid_step) * grid_step
-	)
+## Units between two points to which handles snap.
+func step_length() -> float:
+	return snap_step if snap_step > 0.0 else grid_step
+
+
+## The point to which a handle at [param point] snaps.
+func snapped_to_step(point: Vec2) -> Vec2:
+	var step := step_length()
+	return Vec2.new(roundf(point.x / step) * step, roundf(point.y / step) * step)
 
 
 ## Chooses scale and grid so that all [param points] and the origin are well inside; the origin

@@ -12,6 +12,12 @@ signal released
 @export var label := "a"
 ## Which colour it has, here and in formulas.
 @export var role := Palette.Role.A
+## False shows a line without a tip, as for a wall.
+@export var has_tip := true
+## What its handles are called: source text with a place for the label.
+@export var whole_title := "Whole vector %s"
+@export var tail_title := "Tail of %s"
+@export var head_title := "Head of %s"
 
 var _tail_point := Vec2.new()
 var _head_point := Vec2.new()
@@ -25,9 +31,10 @@ var _head_point := Vec2.new()
 func _ready() -> void:
 	_arrow.label = label
 	_arrow.role = role
-	_name(_body, tr("Whole vector %s"))
-	_name(_tail, tr("Tail of %s"))
-	_name(_head, tr("Head of %s"))
+	_arrow.has_tip = has_tip
+	_name(_body, tr(whole_title))
+	_name(_tail, tr(tail_title))
+	_name(_head, tr(head_title))
 	_body.moved.connect(_move_body)
 	_tail.moved.connect(func(point: Vec2) -> void: moved.emit(point, _head_point.copy()))
 	_head.moved.connect(func(point: Vec2) -> void: moved.emit(_tail_point.copy(), point))

@@ -91,7 +91,7 @@ func _press(click: InputEventMouseButton) -> void:
 
 func _drag_to(motion: InputEventMouseMotion) -> void:
 	var point := _plane_point(motion.position).plus(_grip)
-	moved.emit(point if motion.shift_pressed else _board.snapped_to_grid(point))
+	moved.emit(point if motion.shift_pressed else _board.snapped_to_step(point))
 
 
 # The point of the plane below `pixel` of this control.
@@ -105,7 +105,7 @@ func _nudge(event: InputEvent) -> void:
 		if event.is_action_pressed(action, true):
 			var step := Vec2.from_vector2(_NUDGES[action])
 			var modified := event as InputEventWithModifiers
-			step.scale(_board.grid_step * (0.1 if modified and modified.shift_pressed else 1.0))
+			step.scale(_board.step_length() * (0.1 if modified and modified.shift_pressed else 1.0))
 			moved.emit(_point.plus(step))
 			released.emit()
 			accept_event()

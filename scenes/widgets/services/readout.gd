@@ -10,15 +10,18 @@ func _ready() -> void:
 	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
 
 
-## Shows one row; a new [param key] adds it below. Error in the unit of the value; time per call in
-## nanoseconds.
-func show_row(key: String, title: String, value: float, error: float, nanoseconds: float) -> void:
-	var texts: PackedStringArray = [
-		title,
-		NumberText.short(value),
-		NumberText.size(error),
-		tr("%s ns") % NumberText.short(nanoseconds, 2),
-	]
+## Shows one result; a new [param key] adds a row below. Error in the unit of the value; time per
+## call in nanoseconds.
+func show_result(
+	key: String, title: String, value: float, error: float, nanoseconds: float
+) -> void:
+	var time := tr("%s ns") % NumberText.short(nanoseconds, 2)
+	show_texts(key, [title, NumberText.short(value), NumberText.size(error), time])
+
+
+## Shows a row of up to four texts, translated; a new [param key] adds a row below.
+func show_texts(key: String, texts: PackedStringArray) -> void:
+	texts.resize(columns)
 	if not _rows.has(key):
 		_rows[key] = get_child_count() / columns
 		_add_row(texts)
