@@ -1,6 +1,7 @@
 class_name AxisBounce
-## The easy case, parts 1 and 2 of the lecture: a horizontal floor or a vertical wall. One coordinate
-## tells the hit, one is put back, one component of the velocity is flipped. Wrong for any other line.
+## The easy case, parts 1 and 2 of the lecture: a horizontal floor or a vertical wall. One
+## coordinate tells the hit, one is put back, one component of the velocity is flipped. Wrong for
+## any other line.
 
 
 ## Whether the ball has got below the floor at height [param floor_y]: y points down.

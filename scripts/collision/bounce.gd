@@ -1,5 +1,6 @@
 class_name Bounce
-## Parts 14 and 15 of the lecture: the law of reflection, v - (1 + C) (v . n) n, and when to apply it.
+## Parts 14 and 15 of the lecture: the law of reflection, v - (1 + C) (v . n) n, and when to apply
+## it.
 
 
 ## Whether the velocity has a part against the normal. A ball that already moves away must not be

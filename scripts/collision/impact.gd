@@ -1,6 +1,7 @@
 class_name Impact
 extends RefCounted
-## What became of the search for an impact. Without a [member hit], only [member outcome] means something.
+## What became of the search for an impact. Without a [member hit], only [member outcome] means
+## something.
 
 ## Why there is an impact or none.
 enum Outcome { HIT, TOO_FAR, MOVING_AWAY, PARALLEL, PASSES_BESIDE }

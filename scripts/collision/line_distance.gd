@@ -8,8 +8,8 @@ static func difference(point: Vec2, line: LineSegment) -> Vec2:
 	return point.minus(line.start)
 
 
-## Distance in pixels of [param point] from the line, along the perpendicular: positive on the side to
-## which the normal points, negative on the other.
+## Distance in pixels of [param point] from the line, along the perpendicular: positive on the side
+## to which the normal points, negative on the other.
 static func signed_distance(point: Vec2, line: LineSegment) -> float:
 	return difference(point, line).dot(line.normal())
 

@@ -5,14 +5,15 @@ class_name PointOfImpact
 ## b = old - new the way of the whole frame: t = a / b.
 
 
-## The share t = a / b of the frame at which the distance is [param radius]; it is a time of impact only
-## if it is in 0..1. b must not be 0: then the ball moves along the line.
+## The share t = a / b of the frame at which the distance is [param radius]; it is a time of impact
+## only if it is in 0..1. b must not be 0: then the ball moves along the line.
 static func share(old_distance: float, new_distance: float, radius: float) -> float:
 	return (old_distance - radius) / (old_distance - new_distance)
 
 
-## The impact of a ball that moves by [param motion] from [param old_position] in this frame with the
-## good side of the infinite line. A ball that already overlaps and still approaches touches at time 0.
+## The impact of a ball that moves by [param motion] from [param old_position] in this frame with
+## the good side of the infinite line. A ball that already overlaps and still approaches touches at
+## time 0.
 static func with_line(old_position: Vec2, motion: Vec2, radius: float, line: LineSegment) -> Impact:
 	var normal := line.normal()
 	var old_distance := LineDistance.signed_distance(old_position, line)

@@ -3,7 +3,8 @@ class_name SegmentImpact
 ## from both sides.
 
 
-## The first impact of a ball that moves by [param motion] from [param old_position] with the segment.
+## The first impact of a ball that moves by [param motion] from [param old_position] with the
+## segment.
 static func with_segment(
 	old_position: Vec2, motion: Vec2, radius: float, segment: LineSegment
 ) -> Impact:

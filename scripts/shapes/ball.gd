@@ -12,7 +12,8 @@ var radius: float
 var mass: float
 
 
-## A ball at rest unless [param at_velocity] is given. Both vectors are copied, so that nothing is shared.
+## A ball at rest unless [param at_velocity] is given. Both vectors are copied, so that nothing is
+## shared.
 func _init(
 	at_position: Vec2, with_radius: float, at_velocity: Vec2 = Vec2.new(), with_mass: float = 1.0
 ) -> void:

@@ -29,8 +29,8 @@ func length() -> float:
 	return start.distance_to(end)
 
 
-## The unit normal: +90 degrees from [method along], clockwise on screen. The same wherever the line is
-## moved. Zero for a segment of length 0.
+## The unit normal: +90 degrees from [method along], clockwise on screen. The same wherever the
+## line is moved. Zero for a segment of length 0.
 func normal() -> Vec2:
 	return along().normal()
 
