@@ -105,7 +105,7 @@ func scale(factor: float) -> void:
 ## long the vector is. A zero vector stays zero. Twin: [method normalized].
 func normalize() -> void:
 	var size := length()
-	if not _is_ordinary(size):
+	if not (size > _SMALLEST_ORDINARY and size < _LARGEST_ORDINARY):
 		scale(_factor_to_about_one(x, y))
 		size = length()
 	if size != 0.0:
@@ -121,7 +121,8 @@ func reflect(unit_normal: Vec2, bounciness: float = 1.0) -> void:
 	if not _can_reflect(unit_normal, bounciness):
 		return
 	var change := (1.0 + bounciness) * dot(unit_normal)
-	set_xy(x - change * unit_normal.x, y - change * unit_normal.y)
+	x -= change * unit_normal.x
+	y -= change * unit_normal.y
 
 
 ## Rotates by [param angle] radians, from the x axis towards the y axis: clockwise on screen.
@@ -224,7 +225,8 @@ func normalized() -> Vec2:
 ## for a zero vector.
 func normal() -> Vec2:
 	var unit := normalized()
-	return Vec2.new(-unit.y, unit.x)
+	unit.set_xy(-unit.y, unit.x)
+	return unit
 
 
 ## This velocity reflected off a line; a copy where that is refused. Twin: [method reflect].
@@ -238,7 +240,7 @@ func reflected(unit_normal: Vec2, bounciness: float = 1.0) -> Vec2:
 ## for a zero onto.
 func vector_projection(onto: Vec2) -> Vec2:
 	var squared := onto.length_squared()
-	if not (_is_ordinary(squared) and _is_ordinary(length_squared())):
+	if not _are_ordinary(squared, length_squared()):
 		return onto.normalized().scaled(scalar_projection(onto))
 	var product := dot(onto)
 	return Vec2.new(product * onto.x / squared, product * onto.y / squared)
@@ -249,7 +251,11 @@ func vector_projection(onto: Vec2) -> Vec2:
 func rejection(onto: Vec2) -> Vec2:
 	if onto.x == 0.0 and onto.y == 0.0:
 		return copy()
-	return vector_projection(Vec2.new(-onto.y, onto.x))
+	var squared := onto.length_squared()
+	if not _are_ordinary(squared, length_squared()):
+		return vector_projection(onto.normal())
+	var product := onto.cross(self)
+	return Vec2.new(-product * onto.y / squared, product * onto.x / squared)
 
 
 ## The point on the way from here to [param to]: here for weight 0, exactly [param to] for weight
@@ -275,7 +281,10 @@ func moved_toward(to: Vec2, distance: float) -> Vec2:
 ## The length in pixels. It neither overflows nor underflows on the way: infinite only if the
 ## length itself is too large for a double.
 func length() -> float:
-	return _length_of(x, y)
+	var squared := x * x + y * y
+	if squared > _SMALLEST_ORDINARY and squared < _LARGEST_ORDINARY:
+		return sqrt(squared)
+	return _extreme_length(x, y)
 
 
 ## The square of the length, x² + y², in square pixels. Overflows beyond a length of about 1e154.
@@ -285,7 +294,12 @@ func length_squared() -> float:
 
 ## The distance in pixels between the positions this vector and [param other].
 func distance_to(other: Vec2) -> float:
-	return _length_of(x - other.x, y - other.y)
+	var across := x - other.x
+	var down := y - other.y
+	var squared := across * across + down * down
+	if squared > _SMALLEST_ORDINARY and squared < _LARGEST_ORDINARY:
+		return sqrt(squared)
+	return _extreme_length(across, down)
 
 
 ## The dot product x ox + y oy: positive if the angle between both is below 90 degrees, 0 at 90.
@@ -304,8 +318,8 @@ func cross(other: Vec2) -> float:
 ## unit vector: negative beyond 90 degrees. 0 for a zero onto.
 func scalar_projection(onto: Vec2) -> float:
 	var squared := onto.length_squared()
-	if _is_ordinary(squared) and _is_ordinary(length_squared()):
-		return dot(onto) / sqrt(squared)
+	if _are_ordinary(squared, x * x + y * y):
+		return (x * onto.x + y * onto.y) / sqrt(squared)
 	var factor := _factor_to_about_one(x, y)
 	return scaled(factor).dot(onto.normalized()) / factor
 
@@ -327,7 +341,7 @@ func angle_degrees() -> float:
 func angle_to(other: Vec2) -> float:
 	var from := self
 	var to := other
-	if not (_is_ordinary(from.length_squared()) and _is_ordinary(to.length_squared())):
+	if not _are_ordinary(from.length_squared(), to.length_squared()):
 		from = scaled(_factor_to_about_one(x, y))
 		to = other.scaled(_factor_to_about_one(other.x, other.y))
 	return _angle_of(from.dot(to), from.cross(to))
@@ -349,10 +363,7 @@ func to_vector2() -> Vector2:
 	return Vector2(x, y)
 
 
-static func _length_of(across: float, down: float) -> float:
-	var squared := across * across + down * down
-	if _is_ordinary(squared):
-		return sqrt(squared)
+static func _extreme_length(across: float, down: float) -> float:
 	var factor := _factor_to_about_one(across, down)
 	across *= factor
 	down *= factor
@@ -365,8 +376,8 @@ static func _angle_of(across: float, down: float) -> float:
 	return PI if angle == -PI else angle
 
 
-static func _is_ordinary(size: float) -> bool:
-	return size > _SMALLEST_ORDINARY and size < _LARGEST_ORDINARY
+static func _are_ordinary(a: float, b: float) -> bool:
+	return minf(a, b) > _SMALLEST_ORDINARY and maxf(a, b) < _LARGEST_ORDINARY
 
 
 ## The power of two that brings the larger component near 1. Multiplying by it changes no digit.
@@ -380,10 +391,12 @@ func _rotate(cosine: float, sine: float) -> void:
 
 
 func _rotate_around(point: Vec2, cosine: float, sine: float) -> void:
-	var centre := point.copy()
-	subtract(centre)
+	# Kept apart, because the point may be this vector itself.
+	var centre_x := point.x
+	var centre_y := point.y
+	set_xy(x - centre_x, y - centre_y)
 	_rotate(cosine, sine)
-	add(centre)
+	set_xy(x + centre_x, y + centre_y)
 
 
 static func _can_reflect(unit_normal: Vec2, bounciness: float) -> bool:
