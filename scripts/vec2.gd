@@ -3,10 +3,11 @@ extends RefCounted
 ## A vector in the plane with two 64-bit components, in pixels, y downwards as in Godot.
 ##
 ## Verbs change the vector and return nothing ([method normalize]); nouns and participles leave it
-## alone and return a value or a new vector ([method normalized]). A Vec2 is an object: [code]old
-## = position[/code] shares it, [code]old = position.copy()[/code] does not. [br][br] Arithmetic
-## is that of IEEE doubles: what is too large for a double becomes infinite, and what is computed
-## from a component that is not finite is not finite either; [method is_finite] tells.
+## alone and return a value or a new vector ([method normalized]). A Vec2 is an object:
+## [code]old = position[/code] shares it, [code]old = position.copy()[/code] does not.
+## [br][br]
+## Arithmetic is that of IEEE doubles: what is too large for a double becomes infinite, and what is
+## computed from a component that is not finite means nothing; [method is_finite] tells.
 
 ## Between these bounds squares and products of lengths neither overflow nor lose digits.
 const _SMALLEST_ORDINARY := 1.0 / 2.0 ** 400
@@ -278,8 +279,8 @@ func moved_toward(to: Vec2, distance: float) -> Vec2:
 	return to.copy() if whole <= distance else lerped(to, distance / whole)
 
 
-## The length in pixels. It neither overflows nor underflows on the way: infinite only if the
-## length itself is too large for a double.
+## The length in pixels, for any finite components: infinite only if the length itself is too large
+## for a double.
 func length() -> float:
 	var squared := x * x + y * y
 	if squared > _SMALLEST_ORDINARY and squared < _LARGEST_ORDINARY:
@@ -292,7 +293,8 @@ func length_squared() -> float:
 	return x * x + y * y
 
 
-## The distance in pixels between the positions this vector and [param other].
+## The distance in pixels between the positions this vector and [param other], for any finite
+## components: infinite only if the distance itself is too large for a double.
 func distance_to(other: Vec2) -> float:
 	var across := x - other.x
 	var down := y - other.y
@@ -348,7 +350,7 @@ func angle_to(other: Vec2) -> float:
 
 
 ## Whether both components differ from those of [param other] by at most [param tolerance] pixels.
-## Never true for components that are not finite.
+## Never true where a component is NaN, nor for two infinite ones.
 func equals_approx(other: Vec2, tolerance: float) -> bool:
 	return absf(x - other.x) <= tolerance and absf(y - other.y) <= tolerance
 
@@ -380,7 +382,8 @@ static func _are_ordinary(a: float, b: float) -> bool:
 	return minf(a, b) > _SMALLEST_ORDINARY and maxf(a, b) < _LARGEST_ORDINARY
 
 
-## The power of two that brings the larger component near 1. Multiplying by it changes no digit.
+## The power of two that brings the larger component near 1. Multiplying by it rounds nothing that
+## counts beside that component.
 static func _factor_to_about_one(across: float, down: float) -> float:
 	var exponent := floorf(log(maxf(absf(across), absf(down))) / log(2.0))
 	return pow(2.0, clampf(-exponent, -1000.0, 1000.0))
