@@ -373,7 +373,7 @@ static func _extreme_length(across: float, down: float) -> float:
 
 
 static func _angle_of(across: float, down: float) -> float:
-	# Adding 0.0 turns -0.0 into 0.0, for which atan2 would answer -PI or PI.
+	# Adding 0.0 turns -0.0 into 0.0; for a negative zero atan2 answers -0.0, -PI or PI.
 	var angle := atan2(down + 0.0, across + 0.0)
 	return PI if angle == -PI else angle
 
