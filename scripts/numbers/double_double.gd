@@ -102,7 +102,7 @@ func square_root() -> DoubleDouble:
 
 ## The double nearest to the number.
 func to_float() -> float:
-	return high + low
+	return high
 
 
 ## How much [param value] is too large (negative: too small), this number being the exact one.

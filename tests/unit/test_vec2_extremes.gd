@@ -12,6 +12,7 @@ func test_the_length_neither_overflows_nor_underflows() -> void:
 	assert_eq(Vec2.new(3.0 * TINY, 4.0 * TINY).length(), 5.0 * TINY)
 	assert_eq(Vec2.new(1e300, 0).length(), 1e300)
 	assert_eq(Vec2.new(0, -1e-300).length(), 1e-300)
+	assert_eq(Vec2.new(0, -HUGE).length(), HUGE)
 
 
 func test_the_length_of_subnormal_vectors() -> void:
@@ -94,6 +95,19 @@ func test_projections_of_extreme_vectors() -> void:
 			assert_almost_eq(a.scalar_projection(b), 5.0 * a_scale, allowed)
 			assert_vec2(a.vector_projection(b), Vec2.new(4, -3).scaled(a_scale), allowed)
 			assert_vec2(a.rejection(b), Vec2.new(3, 4).scaled(a_scale), allowed)
+
+
+func test_projections_are_right_at_every_scale() -> void:
+	var a := Vec2.new(1.0 / 3.0, 0.7)
+	var b := Vec2.new(0.9, -0.2)
+	var scalars := PackedFloat64Array()
+	var vectors := PackedFloat64Array()
+	for exponent: int in range(-1000, 1001, 5):
+		var scaled := b.scaled(pow(2.0, exponent))
+		scalars.append(absf(a.scalar_projection(scaled) - a.scalar_projection(b)))
+		vectors.append(a.vector_projection(scaled).distance_to(a.vector_projection(b)))
+	assert_all_at_most(scalars, 2.0 * EPSILON)
+	assert_all_at_most(vectors, 2.0 * EPSILON)
 
 
 func test_projections_on_subnormal_vectors() -> void:
