@@ -74,7 +74,7 @@ func _medians() -> Dictionary[String, float]:
 func _median(values: PackedFloat64Array) -> float:
 	var sorted := values.duplicate()
 	sorted.sort()
-	return sorted[sorted.size() / 2]
+	return sorted[floori(sorted.size() / 2.0)]
 
 
 func _print_table(medians: Dictionary[String, float]) -> void:

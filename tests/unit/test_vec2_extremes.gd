@@ -180,6 +180,7 @@ func _extreme_vectors() -> Array[Vec2]:
 	]
 	for exponent: int in range(-1070, 1024, 9):
 		for direction: Vec2 in random_vectors(exponent, 3, 1.0):
-			var power := pow(2.0, exponent / 2)
-			vectors.append(direction.scaled(power).scaled(pow(2.0, exponent - exponent / 2)))
+			# In two steps, because 2 to the power of -1070 has a single digit.
+			var half := floorf(exponent / 2.0)
+			vectors.append(direction.scaled(pow(2.0, half)).scaled(pow(2.0, exponent - half)))
 	return vectors
