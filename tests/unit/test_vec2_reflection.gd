@@ -89,7 +89,7 @@ func test_a_normal_off_by_more_is_refused_and_the_length_told() -> void:
 
 func test_a_bounciness_outside_0_to_1_is_refused() -> void:
 	var velocity := Vec2.new(3, 4)
-	for wrong: float in [-0.1, 1.5, NAN, INF]:
+	for wrong: float in [-0.1, -1e-9, 1.000001, 1.5, NAN, INF]:
 		velocity.reflect(Vec2.new(0, 1), wrong)
 		assert_vec2(velocity, Vec2.new(3, 4), 0.0)
 		assert_push_error("must be within 0..1, but is %s." % wrong)
