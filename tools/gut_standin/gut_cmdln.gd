@@ -11,6 +11,8 @@ func _init() -> void:
 		print(options.mistake)
 		quit(1)
 		return
+	# The tree is complete from the first frame on.
+	await process_frame
 	var gut := GutMain.new()
 	gut.options = options
 	root.add_child(gut)

@@ -41,6 +41,8 @@ func run() -> int:
 	for script: CollectedScript in _collector.scripts:
 		if _is_asked_for(script):
 			await _run_script(script)
+	# What was queued to be freed is no orphan.
+	await get_tree().process_frame
 	hook_code = await _run_hook(options.text("post_run_script"))
 	OS.remove_logger(error_tracker)
 	var failed := RunSummary.show(_collector.scripts)
