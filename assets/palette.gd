@@ -1,0 +1,42 @@
+class_name Palette
+## Every colour of the lab, by the role it plays. Nothing else names a colour.
+##
+## The hues follow the set of Okabe and Ito, darkened until text in them reads on [constant PAPER]
+## (contrast 4.5 or more), and stay apart for readers with any of the three kinds of colour
+## blindness:
+## a test simulates them. Colour never stands alone: arrows carry a label, lines a pattern.
+
+## What a colour stands for in a picture, a formula and a readout.
+enum Role { INK, QUIET, A, B, UNIT, PROJECTION, REST, RIGHT, WRONG }
+
+## The board behind arrows and text.
+const PAPER := Color("fdfcf8")
+## The panel beside the board.
+const PANEL := Color("efece3")
+## Fields and cards on the panel.
+const FIELD := Color("ffffff")
+## Thin lines of the grid.
+const GRID := Color("e2ded2")
+## Borders of fields and cards.
+const BORDER := Color("b9b4a5")
+## Axes of a grid or plot.
+const AXIS := Color("8b8878")
+## The ring around what has the keyboard's focus.
+const FOCUS := Color("0b63b5")
+
+const _COLORS: Dictionary[Role, Color] = {
+	Role.INK: Color("1c2430"),
+	Role.QUIET: Color("555d66"),
+	Role.A: Color("00785a"),
+	Role.B: Color("c43c00"),
+	Role.UNIT: Color("7a5b00"),
+	Role.PROJECTION: Color("0b63b5"),
+	Role.REST: Color("8e3a8e"),
+	Role.RIGHT: Color("00785a"),
+	Role.WRONG: Color("b3261e"),
+}
+
+
+## The colour of a role.
+static func color(role: Role) -> Color:
+	return _COLORS[role]

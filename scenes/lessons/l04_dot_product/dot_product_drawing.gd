@@ -1,0 +1,60 @@
+class_name DotProductDrawing
+extends Node2D
+## The drawing of the lesson on the dot product: both vectors, the shadow and the rest, step by
+## step.
+
+@onready var _a: DraggableVector = %A
+@onready var _b: DraggableVector = %B
+@onready var _unit: Arrow = %Unit
+@onready var _projection: Arrow = %Projection
+@onready var _rest: Arrow = %Rest
+@onready var _tail_shadow: Arrow = %TailShadow
+@onready var _head_shadow: Arrow = %HeadShadow
+@onready var _angle: AngleArc = %Angle
+@onready var _right_angle: AngleArc = %RightAngle
+
+
+## Draws [param model] as far as [param step], counted from 0, has got.
+func show_model(model: DotProductModel, step: int) -> void:
+	_a.lay(model.a_tail, model.a_head)
+	_b.lay(model.b_tail, model.b_head)
+	_angle.measure(model.onto_tail(), model.onto(), model.shadowed())
+	_lay_shadow(model)
+	_lay_rest(model)
+	_unit.visible = step >= 1 and model.normalizes
+	_tail_shadow.visible = step >= 2
+	_head_shadow.visible = step >= 2
+	_projection.visible = step >= 3
+	_rest.visible = step >= 4 and model.normalizes and model.rest().length() > 0.0
+	_right_angle.visible = _right_angle.visible and _rest.visible
+
+
+## Lights up what has the colour of [param role].
+func light(role: Palette.Role) -> void:
+	_a.light(role == Palette.Role.A)
+	_b.light(role == Palette.Role.B)
+	_unit.lit = role == Palette.Role.UNIT
+	_projection.lit = role == Palette.Role.PROJECTION
+	_rest.lit = role == Palette.Role.REST
+
+
+func _lay_shadow(model: DotProductModel) -> void:
+	var tail := model.shadowed_tail()
+	var head := model.shadowed_head()
+	var onto_tail := model.onto_tail()
+	var tail_foot := model.foot(tail)
+	_unit.label = DotProductTexts.unit_symbol(model)
+	_unit.lay(onto_tail, onto_tail.plus(model.unit()))
+	_unit.keep_label_from(head)
+	_projection.lay(tail_foot, tail_foot.plus(model.vector_projection()))
+	_projection.keep_label_from(head)
+	_tail_shadow.lay(tail, tail_foot)
+	_head_shadow.lay(head, model.foot(head))
+
+
+func _lay_rest(model: DotProductModel) -> void:
+	var tail := model.shadowed_tail()
+	var corner := tail.plus(model.vector_projection())
+	_rest.lay(corner, model.shadowed_head())
+	_rest.keep_label_from(tail)
+	_right_angle.measure(corner, model.onto().negated(), model.rest())

@@ -1,0 +1,134 @@
+class_name DotProductModel
+extends RefCounted
+## Two vectors in the plane, and the shadow of one on the other.
+##
+## Each vector has a tail and a head, in units; what is computed depends on head minus tail alone.
+
+## Tail and head of vector a.
+var a_tail := Vec2.new()
+var a_head := Vec2.new(7.0, 1.0)
+## Tail and head of vector b.
+var b_tail := Vec2.new()
+var b_head := Vec2.new(8.0, -6.0)
+## False projects a on b, true b on a.
+var is_swapped := false
+## False makes the usual mistake: the vector projected on is not brought to length 1 first.
+var normalizes := true
+
+
+## Vector a: head minus tail.
+func a() -> Vec2:
+	return a_head.minus(a_tail)
+
+
+## Vector b: head minus tail.
+func b() -> Vec2:
+	return b_head.minus(b_tail)
+
+
+## The vector whose shadow is looked for.
+func shadowed() -> Vec2:
+	return b() if is_swapped else a()
+
+
+## The vector on which the shadow falls.
+func onto() -> Vec2:
+	return a() if is_swapped else b()
+
+
+## Where the vector that is projected on begins.
+func onto_tail() -> Vec2:
+	return a_tail if is_swapped else b_tail
+
+
+## Where the vector whose shadow is looked for begins.
+func shadowed_tail() -> Vec2:
+	return b_tail if is_swapped else a_tail
+
+
+## Where the vector whose shadow is looked for ends.
+func shadowed_head() -> Vec2:
+	return b_head if is_swapped else a_head
+
+
+## a . b = ax bx + ay by, in square units.
+func dot() -> float:
+	return a().dot(b())
+
+
+## The angle between both vectors in degrees, 0..180; 0 if one of them is zero.
+func angle_degrees() -> float:
+	return absf(signed_angle_degrees())
+
+
+## The angle from [method onto] to [method shadowed] in degrees, in (-180, 180], clockwise on
+## screen.
+func signed_angle_degrees() -> float:
+	return Vec2.rad_to_deg(onto().angle_to(shadowed()))
+
+
+## The vector of length 1 along [method onto]; zero where that is zero.
+func unit() -> Vec2:
+	return onto().normalized()
+
+
+## The scalar projection as the switch [member normalizes] has it: right, or |onto| times too big.
+func scalar_projection() -> float:
+	return shadowed().scalar_projection(onto()) if normalizes else dot()
+
+
+## The vector projection as the switch has it: scalar times unit vector, or times the vector as it
+## is.
+func vector_projection() -> Vec2:
+	if normalizes:
+		return shadowed().vector_projection(onto())
+	return onto().scaled(dot())
+
+
+## What the shadow leaves over: [method shadowed] minus [method vector_projection].
+func rest() -> Vec2:
+	return shadowed().minus(vector_projection())
+
+
+## The foot of the perpendicular from [param point] on the line along [method onto].
+func foot(point: Vec2) -> Vec2:
+	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))
+
+
+## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees.
+func side() -> int:
+	return int(signf(dot()))
+
+
+## Turns the shadowed vector about its tail until it makes [param degrees] with the other, as
+## [method signed_angle_degrees] counts; its length stays.
+func set_signed_angle_degrees(degrees: float) -> void:
+	var turned := shadowed()
+	turned.set_angle_degrees(onto().angle_degrees() + degrees)
+	var head := shadowed_tail().plus(turned)
+	if is_swapped:
+		b_head = head
+	else:
+		a_head = head
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"a": PackedFloat64Array([a_tail.x, a_tail.y, a_head.x, a_head.y]),
+		"b": PackedFloat64Array([b_tail.x, b_tail.y, b_head.x, b_head.y]),
+		"is_swapped": is_swapped,
+		"normalizes": normalizes,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var ends_of_a: PackedFloat64Array = stored["a"]
+	var ends_of_b: PackedFloat64Array = stored["b"]
+	a_tail.set_xy(ends_of_a[0], ends_of_a[1])
+	a_head.set_xy(ends_of_a[2], ends_of_a[3])
+	b_tail.set_xy(ends_of_b[0], ends_of_b[1])
+	b_head.set_xy(ends_of_b[2], ends_of_b[3])
+	is_swapped = stored["is_swapped"]
+	normalizes = stored["normalizes"]

@@ -1,0 +1,94 @@
+class_name DotProductTexts
+## The sentences and formula lines of the lesson on the dot product, step by step.
+
+const _UNITS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
+
+
+## The letter of the vector whose shadow is looked for.
+static func shadowed_symbol(model: DotProductModel) -> String:
+	return "b" if model.is_swapped else "a"
+
+
+## The letter of the vector on which the shadow falls.
+static func onto_symbol(model: DotProductModel) -> String:
+	return "a" if model.is_swapped else "b"
+
+
+## The letter with a hat: the unit vector along [method onto_symbol].
+static func unit_symbol(model: DotProductModel) -> String:
+	return _UNITS[onto_symbol(model)]
+
+
+## One sentence a step, translated.
+static func sentences(model: DotProductModel) -> PackedStringArray:
+	var letters := {"u": shadowed_symbol(model), "w": onto_symbol(model), "e": unit_symbol(model)}
+	var found: PackedStringArray = []
+	for sentence in _right_sentences() if model.normalizes else _wrong_sentences():
+		found.append(sentence.format(letters))
+	return found
+
+
+## The formula lines of all steps up to [param step], counted from 0.
+static func lines(model: DotProductModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = []
+	var groups := _right_lines() if model.normalizes else _wrong_lines()
+	for i in step + 1:
+		found.append_array(groups[i])
+	return found
+
+
+static func _right_sentences() -> PackedStringArray:
+	return [
+		_translate(
+			"A vector is a difference: head minus tail. Drag either; only the difference counts."
+		),
+		_translate(
+			"Divide {w} by its length: the unit vector {e} keeps the direction and has length 1."
+		),
+		_translate(
+			"The dot product with {e} is the scalar projection: how far {u} reaches along {w}."
+		),
+		_translate("So many times {e} is the vector projection p: the shadow of {u} on {w}."),
+		_translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
+	]
+
+
+static func _wrong_sentences() -> PackedStringArray:
+	return [
+		_translate(
+			"A vector is a difference: head minus tail. Drag either; only the difference counts."
+		),
+		_translate("Here {w} is NOT divided by its length: the usual mistake."),
+		_translate("The dot product with {w} itself is the projection times the length of {w}."),
+		_translate("So many times {w}: the arrow leaves the board. It is far too long."),
+		_translate(
+			"The rest {u} − p is not perpendicular to {w}: that is how a test finds the mistake."
+		),
+	]
+
+
+static func _right_lines() -> Array[PackedStringArray]:
+	return [
+		["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
+		["|{w}| = √({w_x}² + {w_y}²) = {w_length}", "{e} = {w} / |{w}| = {e_pair}"],
+		[
+			"{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}",
+			"{u} · {e} = {dot} / {w_length} = {scalar}"
+		],
+		["{p} = {scalar} {e} = {p_pair}"],
+		["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
+	]
+
+
+static func _wrong_lines() -> Array[PackedStringArray]:
+	return [
+		["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
+		["|{w}| = √({w_x}² + {w_y}²) = {w_length}"],
+		["{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"],
+		["{p} = {scalar} {w} = {p_pair}"],
+		["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
+	]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,105 @@
+class_name ProjectionExercise
+extends Exercise
+## Asks for a dot product, a scalar projection or a vector projection of two fresh whole-number
+## vectors.
+##
+## b is a multiple of a Pythagorean triple, so that its length is whole and answers are short.
+
+## What is asked for.
+enum Kind { DOT, SCALAR, VECTOR }
+
+const _TRIPLES: Array[Vector2i] = [
+	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(5, 12), Vector2i(12, 5)
+]
+
+## The vector whose shadow is asked for.
+var a: Vec2
+## The vector on which it falls; its length is a whole number.
+var b: Vec2
+
+
+## A question with the vectors [param a_vector] and [param b_vector].
+func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
+	a = a_vector
+	b = b_vector
+	match kind:
+		Kind.DOT:
+			_ask_dot()
+		Kind.SCALAR:
+			_ask_scalar()
+		Kind.VECTOR:
+			_ask_vector()
+
+
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
+	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
+	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
+	var shadowed := Vec2.new(
+		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
+	)
+	return ProjectionExercise.new(kind, shadowed, onto)
+
+
+static func _random_sign(rng: RandomNumberGenerator) -> int:
+	return 1 if rng.randi_range(0, 1) == 1 else -1
+
+
+func _ask_dot() -> void:
+	_ask(tr("a = %s, b = %s. What is the dot product a · b?"), ["a · b ="], [a.dot(b)])
+	_add([a.x * b.x - a.y * b.y], tr("The products are added, not subtracted: ax bx + ay by."))
+	_add([a.x * b.y + a.y * b.x], tr("x goes with x, and y with y: ax bx + ay by."))
+	_add([a.cross(b)], tr("That is the determinant ax by − ay bx, not the dot product."))
+	_add(
+		[a.scalar_projection(b)], tr("That is the scalar projection: a · b is not divided by |b|.")
+	)
+	_add([-a.dot(b)], tr("The sign is wrong: unlike signs make a product negative."))
+
+
+func _ask_scalar() -> void:
+	var right := a.scalar_projection(b)
+	_ask(tr("a = %s, b = %s. What is the scalar projection of a on b?"), ["a · b̂ ="], [right])
+	_add([a.dot(b)], _not_normalized())
+	_add([right / b.length()], tr("Divided by |b| twice: a · b / |b| is enough for the scalar."))
+	_add([b.scalar_projection(a)], tr("That is b on a: a · b̂ is not b · â."))
+	_add([-right], tr("The sign is wrong: negative beyond 90 degrees, positive below."))
+	_add([a.length()], tr("That is |a|: the shadow is shorter, unless both are parallel."))
+	_add(
+		[a.cross(b) / b.length()],
+		tr("That is the distance from the line: the rest, not the shadow.")
+	)
+
+
+func _ask_vector() -> void:
+	var right := a.vector_projection(b)
+	var question := tr("a = %s, b = %s. What is the vector projection p of a on b?")
+	_ask(question, ["px =", "py ="], [right.x, right.y])
+	_add_vector(b.scaled(a.dot(b)), _not_normalized_twice())
+	_add_vector(b.scaled(a.scalar_projection(b)), _not_normalized())
+	_add_vector(b.vector_projection(a), tr("That is b on a: p must be parallel to b."))
+	_add_vector(a.rejection(b), tr("That is the rest a − p: it is perpendicular to b."))
+	_add_vector(right.negated(), tr("p points the other way: mind the sign of a · b."))
+
+
+func _not_normalized() -> String:
+	var sentence := tr("b was not normalized: that is |b| = %s times too big.")
+	return sentence % NumberText.short(b.length())
+
+
+func _not_normalized_twice() -> String:
+	var sentence := tr("b was not normalized, in two places: that is |b|² = %s times too big.")
+	return sentence % NumberText.short(b.length_squared())
+
+
+func _ask(question: String, titles: PackedStringArray, answer: PackedFloat64Array) -> void:
+	prompt = question % [NumberText.pair(a.x, a.y), NumberText.pair(b.x, b.y)]
+	answer_titles = titles
+	right_answer = answer
+
+
+func _add(answer: PackedFloat64Array, sentence: String) -> void:
+	add_mistake(answer, sentence)
+
+
+func _add_vector(answer: Vec2, sentence: String) -> void:
+	add_mistake([answer.x, answer.y], sentence)

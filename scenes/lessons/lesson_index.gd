@@ -1,0 +1,36 @@
+class_name LessonIndex
+## The lessons in the order in which they are taught. A new lesson is one folder and one line here.
+
+## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
+const FOLDERS: PackedStringArray = [
+	"l04_dot_product",
+]
+
+
+## All lessons in order; loads their cards' texts, not their scenes.
+static func lessons() -> Array[LessonInfo]:
+	var found: Array[LessonInfo] = []
+	for folder in FOLDERS:
+		found.append(load("res://scenes/lessons/%s/lesson.tres" % folder) as LessonInfo)
+	return found
+
+
+## The ids of all lessons in order.
+static func ids() -> PackedStringArray:
+	var found: PackedStringArray = []
+	for lesson in lessons():
+		found.append(lesson.id)
+	return found
+
+
+## The lesson with this id; null where there is none.
+static func find(id: StringName) -> LessonInfo:
+	for lesson in lessons():
+		if lesson.id == id:
+			return lesson
+	return null
+
+
+## The lesson's place in the order, from 1; 0 for one that is not in the index.
+static func number_of(lesson: LessonInfo) -> int:
+	return ids().find(lesson.id) + 1

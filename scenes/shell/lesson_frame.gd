@@ -1,0 +1,147 @@
+class_name LessonFrame
+extends PanelContainer
+## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
+## undo.
+
+const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+const _ACTIONS: Array[StringName] = [
+	&"lab_back", &"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"
+]
+const _NO_ACTIONS: Array[StringName] = []
+
+## The lesson to open; set before the frame enters the tree.
+var lesson_info: LessonInfo
+
+## The lesson inside.
+var lesson: Lesson
+
+var _first_state: Dictionary
+var _last_state: Dictionary
+var _history := UndoRedo.new()
+var _help_actions: Array[StringName] = _ACTIONS.duplicate()
+
+@onready var _body: BoxContainer = %Body
+@onready var _board_place: Control = %BoardPlace
+@onready var _services: VBoxContainer = %Services
+@onready var _panel: ScrollContainer = %Panel
+@onready var _notice: Label = %Notice
+@onready var _help: Label = %Help
+@onready var _undo: Button = %Undo
+@onready var _redo: Button = %Redo
+
+
+func _ready() -> void:
+	WindowFit.follow(get_window())
+	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
+	(%Back as Button).pressed.connect(_go_back)
+	(%Reset as Button).pressed.connect(_reset)
+	_undo.pressed.connect(_history.undo)
+	_redo.pressed.connect(_history.redo)
+	_history.version_changed.connect(_refresh_buttons)
+	resized.connect(_turn)
+	_turn()
+	_open()
+	_refresh_buttons()
+	_show_help(false)
+
+
+func _exit_tree() -> void:
+	_history.free()
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"lab_back"):
+		_go_back()
+	elif event.is_action_pressed(&"lab_redo", false, true):
+		_history.redo()
+	elif event.is_action_pressed(&"lab_undo", false, true):
+		_history.undo()
+	elif event.is_action_pressed(&"lab_reset", false, true):
+		_reset()
+
+
+func _input(event: InputEvent) -> void:
+	if event is InputEventKey:
+		_show_help(false)
+	elif event is InputEventJoypadButton:
+		_show_help(true)
+
+
+func _open() -> void:
+	lesson = (load(lesson_info.scene_path()) as PackedScene).instantiate() as Lesson
+	for need in lesson_info.needs:
+		lesson.services[StringName(need)] = _add_service(need)
+	lesson.set_anchors_preset(Control.PRESET_FULL_RECT)
+	_board_place.add_child(lesson)
+	lesson.edited.connect(_store)
+	lesson.noticed.connect(_show_notice)
+	lesson.start()
+	_first_state = lesson.state()
+	_last_state = _first_state
+
+
+func _add_service(need: String) -> Control:
+	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
+	var script: Script = service.get_script()
+	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
+	_help_actions.append_array(actions)
+	_services.add_child(service)
+	if service is FoldableContainer:
+		(service as FoldableContainer).folding_changed.connect(_show_unfolded.bind(service))
+	return service
+
+
+func _show_unfolded(is_folded: bool, service: Control) -> void:
+	# The panel knows the unfolded size only when it has been laid out once more.
+	await get_tree().process_frame
+	await get_tree().process_frame
+	if not is_folded:
+		_panel.ensure_control_visible(service)
+
+
+func _store() -> void:
+	var now := lesson.state()
+	if now == _last_state:
+		return
+	_history.create_action("edit")
+	_history.add_do_method(_show_state.bind(now))
+	_history.add_undo_method(_show_state.bind(_last_state))
+	_history.commit_action(false)
+	_last_state = now
+
+
+func _show_state(stored: Dictionary) -> void:
+	_last_state = stored
+	_show_notice("")
+	lesson.show_state(stored)
+
+
+func _reset() -> void:
+	_show_notice("")
+	lesson.show_state(_first_state)
+	_store()
+
+
+func _go_back() -> void:
+	Navigation.open_start_screen(get_tree())
+
+
+func _show_notice(message: String) -> void:
+	_notice.text = message
+	(%NoticePlace as Control).visible = message != ""
+
+
+func _show_help(for_joypad: bool) -> void:
+	_help.text = InputHelp.line(_help_actions, for_joypad)
+
+
+func _refresh_buttons() -> void:
+	_undo.disabled = not _history.has_undo()
+	_redo.disabled = not _history.has_redo()
+
+
+# Board above the panel in a tall window, beside it in a wide one.
+func _turn() -> void:
+	var is_tall := size.y > size.x
+	_body.vertical = is_tall
+	_panel.custom_minimum_size = Vector2(0.0, size.y * 0.44) if is_tall else Vector2(450.0, 0.0)

@@ -1,0 +1,32 @@
+class_name LessonRequest
+## Which lesson was asked for when the lab was started: `-- --lesson=<id>`, or `#<id>` in a
+## browser's address.
+
+const _ARGUMENT := "--lesson="
+
+static var _is_taken := false
+
+
+## The id asked for; "" where none was. Asks once: who comes back from the lesson finds the start
+## screen.
+static func take_id() -> String:
+	if _is_taken:
+		return ""
+	_is_taken = true
+	return _requested_id()
+
+
+## One sentence for an id that is in no lesson.
+static func refusal(id: String) -> String:
+	var sentence := TranslationServer.translate("There is no lesson “%s”. There are: %s.")
+	return sentence % [id, ", ".join(LessonIndex.ids())]
+
+
+static func _requested_id() -> String:
+	for argument in OS.get_cmdline_user_args():
+		if argument.begins_with(_ARGUMENT):
+			return argument.trim_prefix(_ARGUMENT)
+	if OS.has_feature("web"):
+		var fragment: Variant = JavaScriptBridge.eval("window.location.hash")
+		return str(fragment).trim_prefix("#").uri_decode()
+	return ""

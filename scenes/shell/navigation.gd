@@ -1,0 +1,24 @@
+class_name Navigation
+## Goes from the start screen to a lesson and back.
+
+const _START_SCREEN := "res://scenes/shell/start_screen.tscn"
+const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
+
+
+## Opens [param lesson] in place of the present scene. Only now is the lesson's scene loaded.
+static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
+	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
+	frame.lesson_info = lesson
+	_change_scene.call_deferred(tree, frame)
+
+
+## Goes back to the start screen.
+static func open_start_screen(tree: SceneTree) -> void:
+	_change_scene.call_deferred(tree, (load(_START_SCREEN) as PackedScene).instantiate())
+
+
+static func _change_scene(tree: SceneTree, scene: Node) -> void:
+	if tree.current_scene:
+		tree.current_scene.free()
+	tree.root.add_child(scene)
+	tree.current_scene = scene

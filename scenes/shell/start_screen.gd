@@ -1,0 +1,32 @@
+extends PanelContainer
+## The start screen: a card for every lesson, in the order of the index.
+
+const _CARD := preload("res://scenes/shell/lesson_card.tscn")
+
+@onready var _cards: HFlowContainer = %Cards
+
+
+func _ready() -> void:
+	WindowFit.follow(get_window())
+	for lesson in LessonIndex.lessons():
+		_add_card(lesson)
+	(_cards.get_child(0) as Control).grab_focus()
+	_open_requested(LessonRequest.take_id())
+
+
+func _add_card(lesson: LessonInfo) -> void:
+	var card := _CARD.instantiate() as LessonCard
+	_cards.add_child(card)
+	card.show_lesson(lesson)
+	card.pressed.connect(func() -> void: Navigation.open_lesson(get_tree(), lesson))
+
+
+func _open_requested(id: String) -> void:
+	if not id:
+		return
+	var lesson := LessonIndex.find(id)
+	if lesson:
+		Navigation.open_lesson(get_tree(), lesson)
+	else:
+		(%Notice as Label).text = LessonRequest.refusal(id)
+		(%NoticePlace as Control).show()

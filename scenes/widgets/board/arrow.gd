@@ -1,0 +1,86 @@
+class_name Arrow
+extends BoardPart
+## An arrow between two points of the plane, with a label; solid or dashed.
+
+## Where along the arrow its label stands.
+enum LabelPlace { HEAD, MIDDLE }
+
+## A head shorter than this, in pixels, is not drawn: the arrow is then a dot.
+const SHORTEST := 2.0
+
+## What stands beside the arrow, such as `a`; nothing where it is empty.
+@export var label := ""
+## Which colour it has, here and in formulas.
+@export var role := Palette.Role.INK
+## Thickness of the shaft in pixels.
+@export_range(1.0, 12.0, 0.5, "suffix:px") var width := 5.0
+## Dashed: a leftover or a helping line.
+@export var dashed := false
+## False draws a line without a tip.
+@export var has_tip := true
+## Beyond the head, or beside the middle on the side that [method keep_label_from] leaves.
+@export var label_place := LabelPlace.HEAD
+
+## Lit up, as when its symbol in a formula is pointed at.
+var lit := false:
+	set(value):
+		lit = value
+		queue_redraw()
+
+var _tail := Vec2.new()
+var _head := Vec2.new()
+var _crowded := Vec2.new()
+
+
+## Lays the arrow from [param tail] to [param head], both in units of the plane.
+func lay(tail: Vec2, head: Vec2) -> void:
+	_tail = tail.copy()
+	_head = head.copy()
+	queue_redraw()
+
+
+## Puts a label beside the middle on the side away from [param point], where other things are drawn.
+func keep_label_from(point: Vec2) -> void:
+	_crowded = point.copy()
+	queue_redraw()
+
+
+func _draw() -> void:
+	var from := board.to_screen(_tail)
+	var to := board.to_screen(_head)
+	var color := Palette.color(role)
+	var length := from.distance_to(to)
+	if lit:
+		draw_line(from, to, Color(color, 0.25), width * 3.0, true)
+	if length < SHORTEST:
+		draw_circle(from, width, color, true, -1.0, true)
+	else:
+		_draw_shaft(from, to, color)
+	if label:
+		draw_text(tr(label), _label_middle(from, to), color, 24)
+
+
+func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
+	var direction := from.direction_to(to)
+	var tip_length := minf(3.6 * width, from.distance_to(to)) if has_tip else 0.0
+	var neck := to - direction * tip_length
+	if dashed:
+		draw_strokes(from, neck, color, width)
+	else:
+		draw_line(from, neck + direction, color, width, true)
+	if has_tip:
+		var side := direction.orthogonal() * tip_length * 0.45
+		draw_colored_polygon(PackedVector2Array([to, neck + side, neck - side]), color)
+
+
+func _label_middle(from: Vector2, to: Vector2) -> Vector2:
+	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
+	var reach := 15.0 + ThemeDB.fallback_font.get_string_size(tr(label), 0, -1, 24).x / 2.0
+	var middle := to + direction * (reach + 6.0)
+	if label_place == LabelPlace.MIDDLE:
+		var side := direction.orthogonal()
+		if side.dot(board.to_screen(_crowded) - from) > 0.0:
+			side = -side
+		middle = (from + to) / 2.0 + side * (reach + 2.0)
+	var inside := Rect2(Vector2.ZERO, board.size).grow(-22.0)
+	return middle.clamp(inside.position, inside.end)

@@ -1,0 +1,111 @@
+class_name Board
+extends Control
+## The plane that a lesson draws on: says where a point of the plane is on the screen, and back.
+##
+## One unit of the plane is a pixel of the course; the board shows it larger. y points down, as on
+## the screen. This is the one place of the view where [Vec2] meets [Vector2].
+
+## Scale, middle or size changed: what is drawn on the board has to be drawn again.
+signal view_changed
+## The empty board was clicked, with `MOUSE_BUTTON_LEFT` or `MOUSE_BUTTON_RIGHT`, or is being
+## dragged on.
+signal pointed(at: Vec2, button: MouseButton)
+## The click or drag that [signal pointed] told of has ended.
+signal released
+
+## A step of the grid is never narrower on screen than this, in pixels.
+const NARROWEST_STEP := 24.0
+## Nor is it wider than this, in pixels.
+const WIDEST_STEP := 40.0
+## Grid steps are these times a power of ten.
+const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
+
+## Pixels of the screen per unit of the plane.
+var pixels_per_unit := 40.0
+
+## Units between two lines of the grid: 1, 2 or 5 times 10^n.
+var grid_step := 1.0
+
+## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
+var snap_step := 0.0
+
+var _middle := Vec2.new()
+var _pressed_button := MOUSE_BUTTON_NONE
+
+
+func _ready() -> void:
+	clip_contents = true
+	resized.connect(view_changed.emit)
+
+
+func _draw() -> void:
+	draw_rect(Rect2(Vector2.ZERO, size), Palette.PAPER)
+
+
+## Where [param point] of the plane is on the board, in the board's own pixels. Points far outside
+## stay finite: they are brought to a distance at which 32-bit drawing still knows the direction.
+func to_screen(point: Vec2) -> Vector2:
+	var limit := 1e6
+	var from_middle := point.minus(_middle).scaled(pixels_per_unit)
+	from_middle.limit_length(limit)
+	return from_middle.to_vector2() + size / 2.0
+
+
+## Which point of the plane is at [param pixel] of the board.
+func to_plane(pixel: Vector2) -> Vec2:
+	var point := Vec2.from_vector2(pixel - size / 2.0)
+	point.scale(1.0 / pixels_per_unit)
+	point.add(_middle)
+	return point
+
+
+## Units between two points to which handles snap.
+func step_length() -> float:
+	return snap_step if snap_step > 0.0 else grid_step
+
+
+## The point to which a handle at [param point] snaps.
+func snapped_to_step(point: Vec2) -> Vec2:
+	var step := step_length()
+	return Vec2.new(roundf(point.x / step) * step, roundf(point.y / step) * step)
+
+
+## Chooses scale and grid so that all [param points] and the origin are well inside; the origin
+## stays in the middle. The step is below 1 only if all points are within 1 of the origin, so that
+## handles snap to whole units.
+func fit(points: Array[Vec2]) -> void:
+	var reach_x := 0.0
+	var reach_y := 0.0
+	for point in points:
+		reach_x = maxf(reach_x, absf(point.x))
+		reach_y = maxf(reach_y, absf(point.y))
+	var margin := 56.0
+	var room := (size / 2.0 - Vector2(margin, margin)).max(Vector2(40.0, 40.0))
+	var narrowest_unit := minf(room.x / maxf(reach_x, 1e-300), room.y / maxf(reach_y, 1e-300))
+	var is_tiny := maxf(reach_x, reach_y) < 1.0 and maxf(reach_x, reach_y) > 0.0
+	grid_step = maxf(_next_step(NARROWEST_STEP / narrowest_unit), 0.0 if is_tiny else 1.0)
+	pixels_per_unit = minf(WIDEST_STEP / grid_step, narrowest_unit)
+	queue_redraw()
+	view_changed.emit()
+
+
+func _gui_input(event: InputEvent) -> void:
+	var click := event as InputEventMouseButton
+	if click and click.pressed and click.button_index in [MOUSE_BUTTON_LEFT, MOUSE_BUTTON_RIGHT]:
+		_pressed_button = click.button_index
+		pointed.emit(to_plane(click.position), _pressed_button)
+		accept_event()
+	elif click and click.button_index == _pressed_button:
+		_pressed_button = MOUSE_BUTTON_NONE
+		released.emit()
+	elif event is InputEventMouseMotion and _pressed_button != MOUSE_BUTTON_NONE:
+		pointed.emit(to_plane((event as InputEventMouseMotion).position), _pressed_button)
+
+
+# The smallest 1, 2 or 5 times 10^n that is not below `least`.
+static func _next_step(least: float) -> float:
+	var power := pow(10.0, floorf(log(least) / log(10.0) - 1e-9))
+	for factor in STEP_FACTORS:
+		if factor * power >= least * (1.0 - 1e-9):
+			return factor * power
+	return 10.0 * power

@@ -1,0 +1,34 @@
+class_name BoardPart
+extends Node2D
+## What is drawn on a [Board]: finds the board above it and is drawn again when the view changes.
+
+## The board that this part lies on: the nearest one above it in the tree.
+var board: Board
+
+
+func _enter_tree() -> void:
+	var above := get_parent()
+	while above and not above is Board:
+		above = above.get_parent()
+	board = above as Board
+	board.view_changed.connect(queue_redraw)
+
+
+func _exit_tree() -> void:
+	board.view_changed.disconnect(queue_redraw)
+
+
+## A text with a rim of the board's colour, so that it reads on top of lines; [param middle] is its
+## centre.
+func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
+	var font := ThemeDB.fallback_font
+	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
+	var start := middle + Vector2(-extent.x / 2.0, font_size * 0.36)
+	var rim := Palette.PAPER
+	draw_string_outline(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, 8, rim)
+	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, color)
+
+
+## A line of short strokes from [param from] to [param to], in the board's pixels.
+func draw_strokes(from: Vector2, to: Vector2, color: Color, width: float) -> void:
+	draw_dashed_line(from, to, color, width, 9.0, true, true)

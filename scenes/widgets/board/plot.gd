@@ -1,0 +1,122 @@
+class_name Plot
+extends Control
+## A small graph of one function with the point where the lesson is now.
+
+## The student pointed at the graph at this x.
+signal x_pointed(x: float)
+## The click or drag that [signal x_pointed] told of has ended.
+signal released
+
+const _MARGIN_LEFT := 14.0
+const _MARGIN_RIGHT := 14.0
+const _MARGIN_TOP := 30.0
+const _MARGIN_BOTTOM := 26.0
+const _SAMPLES := 120
+const _FONT_SIZE := 15
+
+## What is drawn, as a heading: source text.
+@export var title := ""
+## Unit behind the numbers of the x axis, such as `°`.
+@export var x_unit := ""
+## Ends of the x axis.
+@export var x_from := -180.0
+@export var x_to := 180.0
+## Distance between two numbers on the x axis.
+@export var x_step := 90.0
+## Colour of the curve.
+@export var role := Palette.Role.INK
+
+var _function := Callable()
+var _y_reach := 1.0
+var _x := 0.0
+
+
+func _ready() -> void:
+	resized.connect(queue_redraw)
+	accessibility_name = tr(title)
+
+
+## Draws [param function], from x to y, with the y axis from -[param y_reach] to y_reach, and the
+## live point at [param x].
+func show_function(function: Callable, y_reach: float, x: float) -> void:
+	_function = function
+	_y_reach = maxf(y_reach, 1e-300)
+	_x = x
+	queue_redraw()
+
+
+func _draw() -> void:
+	draw_style_box(get_theme_stylebox(&"panel", &"PanelCard"), Rect2(Vector2.ZERO, size))
+	_draw_axes()
+	if _function.is_valid():
+		_draw_curve()
+		_draw_point()
+
+
+func _draw_axes() -> void:
+	var quiet := Palette.color(Palette.Role.QUIET)
+	_write(tr(title), Vector2(_MARGIN_LEFT, 20.0), quiet)
+	draw_line(_pixel(x_from, 0.0), _pixel(x_to, 0.0), Palette.AXIS, 1.5)
+	var x := x_from
+	while x <= x_to:
+		draw_line(_pixel(x, _y_reach), _pixel(x, -_y_reach), Palette.GRID, 1.0)
+		var text := NumberText.short(x) + x_unit
+		var width := _font().get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
+		var left := clampf(_pixel(x, 0.0).x - width / 2.0, 4.0, size.x - width - 4.0)
+		_write(text, Vector2(left, size.y - 8.0), quiet)
+		x += x_step
+
+
+func _draw_curve() -> void:
+	var points: PackedVector2Array = []
+	for i in _SAMPLES + 1:
+		var x := lerpf(x_from, x_to, float(i) / _SAMPLES)
+		points.append(_pixel(x, _value_at(x)))
+	draw_polyline(points, Palette.color(role), 2.5, true)
+
+
+func _draw_point() -> void:
+	var at := _pixel(_x, _value_at(_x))
+	var color := Palette.color(role)
+	draw_dashed_line(_pixel(_x, 0.0), at, color, 2.0, 5.0)
+	draw_circle(at, 7.0, Palette.PAPER, true, -1.0, true)
+	draw_circle(at, 6.0, color, true, -1.0, true)
+
+
+func _gui_input(event: InputEvent) -> void:
+	var click := event as InputEventMouseButton
+	var motion := event as InputEventMouseMotion
+	if click and click.button_index == MOUSE_BUTTON_LEFT:
+		if click.pressed:
+			x_pointed.emit(_x_at(click.position.x))
+		else:
+			released.emit()
+		accept_event()
+	elif motion and motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
+		x_pointed.emit(_x_at(motion.position.x))
+		accept_event()
+
+
+func _value_at(x: float) -> float:
+	var value: float = _function.call(x)
+	return value
+
+
+func _pixel(x: float, y: float) -> Vector2:
+	var width := size.x - _MARGIN_LEFT - _MARGIN_RIGHT
+	var height := size.y - _MARGIN_TOP - _MARGIN_BOTTOM
+	var right := (x - x_from) / (x_to - x_from) * width
+	return Vector2(_MARGIN_LEFT + right, _MARGIN_TOP + (0.5 - 0.5 * y / _y_reach) * height)
+
+
+func _x_at(pixel: float) -> float:
+	var share := (pixel - _MARGIN_LEFT) / (size.x - _MARGIN_LEFT - _MARGIN_RIGHT)
+	return lerpf(x_from, x_to, clampf(share, 0.0, 1.0))
+
+
+func _write(text: String, at: Vector2, color: Color) -> void:
+	draw_string(_font(), at, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
+
+
+func _font() -> Font:
+	return get_theme_default_font()

@@ -1,0 +1,27 @@
+@abstract class_name Lesson
+extends Board
+## What every lesson is to the frame around it: a board with a state that can be stored, put back
+## and undone.
+##
+## The frame adds the services that the lesson's [LessonInfo] needs and then calls [method start].
+## A lesson tells every complete change by the student with [signal edited]; the frame then stores
+## [method state] for undo.
+
+## The student has changed something, and the change is complete: a drag has ended, a number was
+## entered.
+signal edited
+## A sentence for the notice line: what could not be taken and why; "" takes it away.
+signal noticed(message: String)
+
+## The services that the frame has brought, by the names in [member LessonInfo.needs].
+var services: Dictionary[StringName, Control] = {}
+
+## Called once, after the services are there and before the lesson is seen.
+@abstract func start() -> void
+
+## All that undo, reset and links have to know: numbers, texts, arrays and dictionaries of them
+## only.
+@abstract func state() -> Dictionary
+
+## Puts back what [method state] has told. Shows it at once; emits nothing.
+@abstract func show_state(stored: Dictionary) -> void

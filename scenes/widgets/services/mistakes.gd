@@ -1,0 +1,39 @@
+class_name Mistakes
+extends VBoxContainer
+## The bug gallery: one known mistake at a time runs beside the right way, and is named.
+
+## The student has switched a mistake on, by its number; 0 switches all off.
+signal mistake_picked(number: int)
+
+var _mistakes: Array[MistakeInfo] = []
+
+@onready var _list: OptionButton = %List
+@onready var _sentence: Label = %Sentence
+
+
+func _ready() -> void:
+	_list.item_selected.connect(_pick)
+	_list.add_item(tr("No mistake"))
+
+
+## Adds a mistake to the list.
+func add_mistake(mistake: MistakeInfo) -> void:
+	_mistakes.append(mistake)
+	_list.add_item(tr("Mistake %d: %s") % [mistake.number, mistake.title])
+
+
+## Shows the mistake with this number as switched on, 0 for none; emits nothing.
+func show_mistake(number: int) -> void:
+	_list.select(0)
+	_sentence.text = ""
+	for i in _mistakes.size():
+		if _mistakes[i].number == number:
+			_list.select(i + 1)
+			_sentence.text = _mistakes[i].sentence + "\n" + tr("Caught by %s.") % _mistakes[i].test
+	_sentence.visible = _sentence.text != ""
+
+
+func _pick(item: int) -> void:
+	var number := _mistakes[item - 1].number if item > 0 else 0
+	show_mistake(number)
+	mistake_picked.emit(number)

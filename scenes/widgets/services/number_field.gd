@@ -1,0 +1,45 @@
+class_name NumberField
+extends LineEdit
+## A number that can be typed over. What is not a number is refused with a sentence; the old value
+## stays.
+
+## Enter was pressed, or the field left, with a new number in it.
+signal number_entered(value: float)
+## What was typed cannot be taken; [param message] says why. "" once it can.
+signal refused(message: String)
+
+var _value := 0.0
+
+
+func _ready() -> void:
+	expand_to_text_length = true
+	select_all_on_focus = true
+	add_theme_constant_override(&"minimum_character_width", 1)
+	text_submitted.connect(_enter)
+	focus_exited.connect(func() -> void: _enter(text))
+
+
+## Shows [param value], unless the student is just typing here.
+func show_number(value: float) -> void:
+	_value = value
+	if not has_focus():
+		text = NumberText.typed(value)
+
+
+func _enter(typed: String) -> void:
+	if typed == NumberText.typed(_value):
+		return
+	var problem := NumberText.problem(typed)
+	refused.emit(problem)
+	if problem:
+		return
+	_value = NumberText.parse(typed)
+	number_entered.emit(_value)
+
+
+func _gui_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"ui_cancel"):
+		text = NumberText.typed(_value)
+		refused.emit("")
+		release_focus()
+		accept_event()

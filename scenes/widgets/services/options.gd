@@ -1,0 +1,40 @@
+class_name Options
+extends VBoxContainer
+## The switches of a lesson, and its ready-made situations.
+
+## A switch was thrown by the student.
+signal switched(key: String, on: bool)
+## The student picked the situation with this key.
+signal preset_picked(key: String)
+
+var _buttons: Dictionary[String, CheckButton] = {}
+
+@onready var _switches: HFlowContainer = %Switches
+@onready var _presets: HFlowContainer = %Presets
+
+
+## Adds a switch with the text, translated.
+func add_switch(key: String, text: String) -> void:
+	var button := CheckButton.new()
+	button.text = text
+	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	button.toggled.connect(func(on: bool) -> void: switched.emit(key, on))
+	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_buttons[key] = button
+	_switches.add_child(button)
+
+
+## Shows a switch on or off; emits nothing.
+func show_switch(key: String, on: bool) -> void:
+	_buttons[key].set_pressed_no_signal(on)
+
+
+## Adds a button that sets up a ready-made situation; the text is translated.
+func add_preset(key: String, text: String) -> void:
+	var button := Button.new()
+	button.text = text
+	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	button.theme_type_variation = &"ButtonSmall"
+	button.pressed.connect(preset_picked.emit.bind(key))
+	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_presets.add_child(button)

@@ -1,0 +1,69 @@
+class_name Question
+extends FoldableContainer
+## A question with fresh numbers: takes an answer, checks it, and says which mistake leads to a
+## wrong one.
+
+## The student wants another question.
+signal exercise_wanted
+## The student wants to see the numbers of the question on the board.
+signal board_wanted
+
+var _exercise: Exercise
+var _fields: Array[LineEdit] = []
+
+@onready var _prompt: Label = %Prompt
+@onready var _answers: HFlowContainer = %Answers
+@onready var _check: Button = %Check
+@onready var _verdict: Label = %Verdict
+@onready var _show: Button = %Show
+
+
+func _ready() -> void:
+	_check.pressed.connect(_check_answer)
+	(%New as Button).pressed.connect(exercise_wanted.emit)
+	_show.pressed.connect(board_wanted.emit)
+
+
+## Asks the question of [param exercise]; what was answered before is cleared.
+func show_exercise(exercise: Exercise) -> void:
+	_exercise = exercise
+	_prompt.text = exercise.prompt
+	_verdict.text = ""
+	_show.disabled = true
+	for child in _answers.get_children():
+		child.queue_free()
+	_fields.clear()
+	for title in exercise.answer_titles:
+		_add_field(title)
+
+
+func _add_field(title: String) -> void:
+	var label := Label.new()
+	label.text = title
+	label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	var field := LineEdit.new()
+	field.accessibility_name = title
+	field.custom_minimum_size.x = 90.0
+	field.text_submitted.connect(func(_text: String) -> void: _check_answer())
+	_answers.add_child(label)
+	_answers.add_child(field)
+	_fields.append(field)
+
+
+func _check_answer() -> void:
+	var answer: PackedFloat64Array = []
+	for field in _fields:
+		var problem := NumberText.problem(field.text)
+		if problem:
+			_say(problem, Palette.Role.WRONG)
+			field.grab_focus()
+			return
+		answer.append(NumberText.parse(field.text))
+	var verdict := _exercise.check(answer)
+	_say(verdict.sentence, Palette.Role.RIGHT if verdict.is_right else Palette.Role.WRONG)
+	_show.disabled = false
+
+
+func _say(sentence: String, role: Palette.Role) -> void:
+	_verdict.text = sentence
+	_verdict.add_theme_color_override(&"font_color", Palette.color(role))

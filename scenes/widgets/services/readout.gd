@@ -1,0 +1,39 @@
+class_name Readout
+extends GridContainer
+## A table of results: what, value, error against the exact answer, run time of the call.
+
+# Which row, counted from 0 at the headings, a key has.
+var _rows: Dictionary[String, int] = {}
+
+
+func _ready() -> void:
+	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
+
+
+## Shows one result; a new [param key] adds a row below. Error in the unit of the value; time per
+## call in nanoseconds.
+func show_result(
+	key: String, title: String, value: float, error: float, nanoseconds: float
+) -> void:
+	var time := tr("%s ns") % NumberText.short(nanoseconds, 2)
+	show_texts(key, [title, NumberText.short(value), NumberText.size(error), time])
+
+
+## Shows a row of up to four texts, translated; a new [param key] adds a row below.
+func show_texts(key: String, texts: PackedStringArray) -> void:
+	texts.resize(columns)
+	if not _rows.has(key):
+		_rows[key] = get_child_count() / columns
+		_add_row(texts)
+	for column in columns:
+		(get_child(_rows[key] * columns + column) as Label).text = texts[column]
+
+
+func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:
+	for text in texts:
+		var label := Label.new()
+		label.text = text
+		label.theme_type_variation = variation
+		label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+		label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+		add_child(label)

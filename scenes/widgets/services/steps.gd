@@ -1,0 +1,52 @@
+class_name Steps
+extends HBoxContainer
+## Builds a drawing up from nothing: one sentence a step, forward and back.
+
+## The student went to this step, counted from 0.
+signal step_changed(step: int)
+
+## Actions that this service answers to, for the help line.
+const ACTIONS: Array[StringName] = [&"lab_step_back", &"lab_step"]
+
+var _sentences: PackedStringArray = []
+var _step := 0
+
+@onready var _count: Label = %Count
+@onready var _sentence: Label = %Sentence
+@onready var _back: Button = %Back
+@onready var _forward: Button = %Forward
+
+
+func _ready() -> void:
+	_back.pressed.connect(func() -> void: go_to(_step - 1))
+	_forward.pressed.connect(func() -> void: go_to(_step + 1))
+
+
+## Gives the steps' sentences, translated, and shows the step [param step] of them.
+func show_sentences(sentences: PackedStringArray, step: int) -> void:
+	_sentences = sentences
+	_step = clampi(step, 0, sentences.size() - 1)
+	_refresh()
+
+
+## Goes to a step, counted from 0; stays inside the first and the last.
+func go_to(step: int) -> void:
+	var wanted := clampi(step, 0, _sentences.size() - 1)
+	if wanted != _step:
+		_step = wanted
+		_refresh()
+		step_changed.emit(_step)
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"lab_step", true, true):
+		go_to(_step + 1)
+	elif event.is_action_pressed(&"lab_step_back", true, true):
+		go_to(_step - 1)
+
+
+func _refresh() -> void:
+	_count.text = tr("Step %d of %d") % [_step + 1, _sentences.size()]
+	_sentence.text = _sentences[_step]
+	_back.disabled = _step == 0
+	_forward.disabled = _step == _sentences.size() - 1

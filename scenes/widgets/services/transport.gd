@@ -1,0 +1,46 @@
+class_name Transport
+extends HBoxContainer
+## Play, pause, one step, slow: drives what moves in a lesson. Starts paused.
+
+## Time has passed in the lesson: this many seconds, negative for a step back.
+signal advanced(seconds: float)
+
+## Actions that this service answers to, for the help line.
+const ACTIONS: Array[StringName] = [&"lab_pause", &"lab_slow"]
+## A single step lasts a sixtieth of a second, as a frame of the course does.
+const STEP_SECONDS := 1.0 / 60.0
+## Slow motion runs at this share of real time.
+const SLOW_SHARE := 0.2
+
+## Time runs by itself.
+var is_playing: bool:
+	get:
+		return _play.button_pressed
+	set(value):
+		_play.button_pressed = value
+
+@onready var _play: Button = %Play
+@onready var _slow: Button = %Slow
+
+
+func _ready() -> void:
+	(%StepBack as Button).pressed.connect(_step.bind(-STEP_SECONDS))
+	(%Step as Button).pressed.connect(_step.bind(STEP_SECONDS))
+	_play.toggled.connect(set_process)
+	set_process(false)
+
+
+func _process(delta: float) -> void:
+	advanced.emit(delta * (SLOW_SHARE if _slow.button_pressed else 1.0))
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"lab_pause"):
+		_play.button_pressed = not _play.button_pressed
+	elif event.is_action_pressed(&"lab_slow"):
+		_slow.button_pressed = not _slow.button_pressed
+
+
+func _step(seconds: float) -> void:
+	_play.button_pressed = false
+	advanced.emit(seconds)

@@ -1,0 +1,20 @@
+class_name MistakeInfo
+extends RefCounted
+## A mistake found in real student code, which a lesson can switch on beside the right way.
+
+## Its number in the course's list of mistakes.
+var number: int
+## A few words for the list that one picks from, translated.
+var title: String
+## One or two sentences that name the mistake and what it does, translated.
+var sentence: String
+## The test that catches it: `<test script>.<test method>`, without folder and ending.
+var test: String
+
+
+## A mistake with all that a lesson shows of it.
+func _init(its_number: int, its_title: String, its_sentence: String, its_test: String) -> void:
+	number = its_number
+	title = its_title
+	sentence = its_sentence
+	test = its_test

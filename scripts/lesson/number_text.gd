@@ -1,0 +1,87 @@
+class_name NumberText
+## Numbers as a student reads them, and typed text as a number.
+
+## The true minus sign, as wide as a plus.
+const MINUS := "\u2212"
+
+## Typed numbers stay below this in size, so that products of two stay finite.
+const LARGEST := 1e100
+
+
+## [param value] with at most [param digits] significant digits and no trailing zeros: `7`, `0.8`,
+## `-3.25`; below 1e-4 and from 1e7 on as `3e15`. NaN and infinity by name.
+static func short(value: float, digits: int = 4) -> String:
+	if is_nan(value):
+		return "NaN"
+	if is_inf(value):
+		return MINUS + "\u221e" if value < 0.0 else "\u221e"
+	if value == 0.0:
+		return "0"
+	var text := _scientific(value, digits) if _is_unhandy(value) else _decimal(value, digits)
+	return text.replace("-", MINUS)
+
+
+## What [method short] writes, with plain ASCII signs, for a field that is typed into.
+static func typed(value: float) -> String:
+	return short(value, 12).replace(MINUS, "-")
+
+
+## Two components in parentheses: `(4, -3)`.
+static func pair(x: float, y: float, digits: int = 4) -> String:
+	return "(%s, %s)" % [short(x, digits), short(y, digits)]
+
+
+## A size that needs no sign and no more than two digits, such as an error: `0`, `8.9e-16`.
+static func size(value: float) -> String:
+	return short(absf(value), 2)
+
+
+## A number in a sum or product: a negative one stands in parentheses.
+static func factor(value: float, digits: int = 4) -> String:
+	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
+
+
+## "" if [param text] is a number that the lab takes; else one sentence with the text and what is
+## allowed.
+static func problem(text: String) -> String:
+	var plain := _plain(text)
+	if not plain.is_valid_float() or not is_finite(plain.to_float()):
+		return (
+			TranslationServer.translate("“%s” is not a number: type one like 7, -2.5 or 3e8.")
+			% text
+		)
+	if absf(plain.to_float()) > LARGEST:
+		return (
+			TranslationServer.translate("%s is too large: numbers go from -1e100 to 1e100.") % text
+		)
+	return ""
+
+
+## The number in [param text], for a text without a [method problem].
+static func parse(text: String) -> float:
+	return _plain(text).to_float()
+
+
+static func _plain(text: String) -> String:
+	return text.strip_edges().replace(MINUS, "-").replace(",", ".")
+
+
+static func _is_unhandy(value: float) -> bool:
+	return absf(value) < 1e-4 or absf(value) >= 1e7
+
+
+static func _decimal(value: float, digits: int) -> String:
+	var whole_digits := floori(log(absf(value)) / log(10.0)) + 1
+	var text := String.num(value, maxi(digits - whole_digits, 0))
+	if text.contains("."):
+		text = text.rstrip("0").rstrip(".")
+	return "0" if text == "-0" else text
+
+
+static func _scientific(value: float, digits: int) -> String:
+	var exponent := floori(log(absf(value)) / log(10.0) + 1e-12)
+	var mantissa := _decimal(value / pow(10.0, exponent), digits)
+	if mantissa.trim_prefix("-") == "10":
+		mantissa = mantissa.replace("10", "1")
+		exponent += 1
+	return "%se%d" % [mantissa, exponent]

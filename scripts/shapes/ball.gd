@@ -1,0 +1,41 @@
+class_name Ball
+extends RefCounted
+## A round thing that moves: where it is, how fast, how large.
+
+## The centre, in pixels.
+var position: Vec2
+## Pixels per second.
+var velocity: Vec2
+## Pixels, above 0.
+var radius: float
+## Above 0; only collisions of balls with each other need it.
+var mass: float
+
+
+## A ball at rest unless [param at_velocity] is given. Both vectors are copied, so that nothing is
+## shared.
+func _init(
+	at_position: Vec2, with_radius: float, at_velocity: Vec2 = Vec2.new(), with_mass: float = 1.0
+) -> void:
+	position = at_position.copy()
+	velocity = at_velocity.copy()
+	radius = with_radius
+	mass = with_mass
+
+
+## A ball that shares nothing with this one.
+func copy() -> Ball:
+	return Ball.new(position, radius, velocity, mass)
+
+
+## "" if this ball can be used; else one sentence with the value and what is allowed.
+func problem() -> String:
+	if not (position.is_finite() and velocity.is_finite()):
+		return (
+			"A ball's position and velocity must be finite, not %s and %s." % [position, velocity]
+		)
+	if not (radius > 0.0 and is_finite(radius)):
+		return "A ball's radius must be above 0 and finite, not %s." % radius
+	if not (mass > 0.0 and is_finite(mass)):
+		return "A ball's mass must be above 0 and finite, not %s." % mass
+	return ""

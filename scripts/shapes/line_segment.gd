@@ -1,0 +1,56 @@
+class_name LineSegment
+extends RefCounted
+## A straight line between two points; read as an infinite line where a function says so.
+
+## Where it begins, in pixels.
+var start: Vec2
+## Where it ends, in pixels.
+var end: Vec2
+
+
+## The segment between two points, which are copied, so that nothing is shared.
+func _init(from: Vec2, to: Vec2) -> void:
+	start = from.copy()
+	end = to.copy()
+
+
+## A segment that shares nothing with this one.
+func copy() -> LineSegment:
+	return LineSegment.new(start, end)
+
+
+## The vector from start to end, in pixels.
+func along() -> Vec2:
+	return end.minus(start)
+
+
+## Length in pixels.
+func length() -> float:
+	return start.distance_to(end)
+
+
+## The unit normal: +90 degrees from [method along], clockwise on screen. The same wherever the
+## line is moved. Zero for a segment of length 0.
+func normal() -> Vec2:
+	return along().normal()
+
+
+## The point of the segment that is nearest to [param point]: a foot of a perpendicular, or an end.
+func closest_point(point: Vec2) -> Vec2:
+	return start.lerped(end, clampf(share_of(point), 0.0, 1.0))
+
+
+## Where the perpendicular from [param point] meets the line: 0 at the start, 1 at the end, below or
+## above beside them. 0 for a segment of length 0.
+func share_of(point: Vec2) -> float:
+	var size := length()
+	return point.minus(start).scalar_projection(along()) / size if size > 0.0 else 0.0
+
+
+## "" if this segment can be used; else one sentence with the value and what is allowed.
+func problem() -> String:
+	if not (start.is_finite() and end.is_finite()):
+		return "A segment's ends must be finite, not %s and %s." % [start, end]
+	if length() == 0.0:
+		return "A segment must be longer than 0: both its ends are %s." % start
+	return ""
