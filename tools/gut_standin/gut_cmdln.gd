@@ -1,12 +1,12 @@
 extends SceneTree
 ## The command line of the stand-in, with GUT's options.
 
-const Options := preload("options.gd")
+const CommandLine := preload("command_line.gd")
 
 
 func _init() -> void:
 	print("This is NOT GUT but its small stand-in: it knows what Vec2 Lab's tests use.")
-	var options := Options.new()
+	var options := CommandLine.new()
 	if not options.mistake.is_empty():
 		print(options.mistake)
 		quit(1)

@@ -6,13 +6,13 @@ const CollectedScript := preload("collected_script.gd")
 const CollectedTest := preload("collected_test.gd")
 const ErrorTracker := preload("error_tracker.gd")
 const JunitWriter := preload("junit_writer.gd")
-const Options := preload("options.gd")
+const CommandLine := preload("command_line.gd")
 const ParameterHandler := preload("parameter_handler.gd")
 const RunnerLog := preload("runner_log.gd")
 const RunSummary := preload("run_summary.gd")
 const TestCollector := preload("test_collector.gd")
 
-var options: Options
+var options: CommandLine
 var error_tracker := ErrorTracker.new()
 var logger := RunnerLog.new()
 ## Set while a test with parameters runs.
