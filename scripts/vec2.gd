@@ -48,7 +48,8 @@ static func unit_radians(angle: float) -> Vec2:
 ## The vector of length 1 that points at [param angle] degrees: 0 is right, 90 is down. Multiples
 ## of 90 give exact whole numbers, and large angles are as good as small ones.
 static func unit_degrees(angle: float) -> Vec2:
-	# Whole turns and quarter turns are taken off in degrees, where that is exact: pi is not a double.
+	# Whole turns and quarter turns are taken off in degrees, where that is exact: pi is not a
+	# double.
 	var within_one_turn := fmod(angle, 360.0)
 	var quarter_turns := roundf(within_one_turn / 90.0)
 	var unit := unit_radians(deg_to_rad(within_one_turn - 90.0 * quarter_turns))

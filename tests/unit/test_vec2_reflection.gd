@@ -29,7 +29,8 @@ func test_both_normals_of_a_line_give_the_same() -> void:
 
 
 func test_reflecting_twice_gives_the_velocity_back() -> void:
-	# Twice is I + 4 (n.n - 1) n n^T; a normal within 1.5 units of length 1 leaves at most 12 of them.
+	# Twice is I + 4 (n.n - 1) n n^T; a normal within 1.5 units of length 1 leaves at most 12 of
+	# them.
 	for velocity: Vec2 in random_vectors(42, 100):
 		var normal := Vec2.new(velocity.y, 3.0).normal()
 		var allowed := 12.0 * EPSILON * velocity.length()

@@ -75,7 +75,13 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
-	var reach := 15.0 + ThemeDB.fallback_font.get_string_size(tr(label), 0, -1, 24).x / 2.0
+	var reach := (
+		15.0
+		+ (
+			ThemeDB.fallback_font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24).x
+			/ 2.0
+		)
+	)
 	var middle := to + direction * (reach + 6.0)
 	if label_place == LabelPlace.MIDDLE:
 		var side := direction.orthogonal()
