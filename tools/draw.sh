@@ -35,9 +35,6 @@ use_drivers_beside_godot() {
 	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
 }
 
-# The software renderer cannot change V-Sync and says so.
-messages() { engine_messages "$1" | grep -v 'Could not set V-Sync mode' || true; }
-
 # draw NAME FILE SIZE
 draw() {
 	local picture=$pictures/$2.png log=$pictures/$2.log status=0
@@ -47,7 +44,7 @@ draw() {
 	"$LAB_ROOT/tools/run_with_patience.sh" 60 "$godot" --path "$LAB_ROOT" --audio-driver Dummy \
 		--rendering-driver opengl3 --resolution "$3" --fixed-fps 60 -s tools/draw_picture.gd -- "${arguments[@]}" \
 		>"$log" || status=$?
-	if [ "$status" -eq 0 ] && [ -z "$(messages "$log")" ] && grep -q "^$3, " "$log"; then
+	if [ "$status" -eq 0 ] && [ -z "$(engine_messages "$log")" ] && grep -q "^$3, " "$log"; then
 		echo "drawn: build/pictures/$2.png ($(grep "^$3, " "$log"))"
 	else
 		echo "FAILED: build/pictures/$2.png ($3 wanted)"

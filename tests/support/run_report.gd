@@ -63,7 +63,7 @@ func _look_at_test(path: String, test: Variant) -> void:
 
 
 func _first_failure_of(test: Variant) -> String:
-	var text: String = test.fail_texts[0].get_slice(AT_LINE, 0)
+	var text: String = test.fail_texts[0].get_slice(AT_LINE, 0).strip_edges()
 	var others: int = test.fail_texts.size() - 1
 	return text if others == 0 else "%s (and %d more)" % [text, others]
 
