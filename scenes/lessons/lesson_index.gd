@@ -3,6 +3,7 @@ class_name LessonIndex
 
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
+	"l01_class_or_value",
 	"l04_dot_product",
 ]
 
