@@ -1,4 +1,5 @@
 class_name LessonIndex
+extends RefCounted
 ## The lessons in the order in which they are taught. A new lesson is one folder and one line here.
 
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.

@@ -18,7 +18,7 @@ var _right := Vec2.new(_FIELD_OFFSET, 1.0)
 var _steps: Steps
 var _formula: Formula
 var _readout: Readout
-var _options: Options
+var _options: LessonOptions
 var _question: Question
 
 @onready var _position: DraggableVector = %Position
@@ -60,7 +60,7 @@ func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_formula = services[&"formula"] as Formula
 	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_question = services[&"question"] as Question
 	_steps.step_changed.connect(_go_to_step)
 
