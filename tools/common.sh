@@ -67,6 +67,13 @@ lesson_ids() {
 
 has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
+# The Godot of Debian's packages brings its own drivers.
+use_drivers_beside_godot() {
+	local drivers
+	drivers=$(dirname "$godot")/../root/usr/lib/x86_64-linux-gnu/dri
+	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
+}
+
 # engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none. Two say nothing about
 # the project: the software renderer has no V-Sync, and a deleted .uid file is made again.
 engine_messages() {

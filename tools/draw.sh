@@ -28,13 +28,6 @@ close_screen() {
 	rm -f "$pictures/display"
 }
 
-# The Godot of Debian's packages brings its own drivers.
-use_drivers_beside_godot() {
-	local drivers
-	drivers=$(dirname "$godot")/../root/usr/lib/x86_64-linux-gnu/dri
-	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
-}
-
 # draw NAME FILE SIZE
 draw() {
 	local picture=$pictures/$2.png log=$pictures/$2.log status=0
@@ -57,10 +50,8 @@ failed=0
 make_build_folder
 mkdir -p "$pictures"
 trap close_screen EXIT
-if ! has_display; then
-	open_screen
-	use_drivers_beside_godot
-fi
+has_display || open_screen
+use_drivers_beside_godot
 for name in "$@"; do
 	draw "$name" "$name" 1280x720
 	draw "$name" "${name}_portrait" 720x1280
