@@ -80,7 +80,7 @@ func _service_classes() -> Dictionary[String, String]:
 
 
 func _code_in(folder: String) -> String:
-	var text_or_comment := RegEx.create_from_string("(?m)\"(?:[^\"\\\\]|\\\\.)*\"|#.*$")
+	var text_or_comment := RegEx.create_from_string('(?m)"(?:[^"\\\\]|\\\\.)*"|#.*$')
 	var code := ""
 	for file: String in DirAccess.get_files_at(folder):
 		if file.get_extension() == "gd":

@@ -26,7 +26,9 @@ func test_the_lesson_asked_for_is_opened() -> void:
 func test_an_unknown_lesson_gets_one_notice_with_all_ids() -> void:
 	await open_start_screen()
 	await _request("no_such_lesson")
-	assert_reads("There is no lesson “no_such_lesson”. There are: %s." % ", ".join(LessonIndex.ids()))
+	assert_reads(
+		"There is no lesson “no_such_lesson”. There are: %s." % ", ".join(LessonIndex.ids())
+	)
 
 
 func test_nothing_asked_for_shows_no_notice() -> void:
