@@ -23,6 +23,7 @@ func before_each() -> void:
 
 
 func after_each() -> void:
+	student.window.gui_release_focus()
 	if get_tree().current_scene:
 		get_tree().current_scene.free()
 	await student.settle()
