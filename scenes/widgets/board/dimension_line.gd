@@ -40,7 +40,7 @@ func _draw() -> void:
 	_draw_tip(from, to, color)
 	_draw_tip(to, from, color)
 	if label:
-		_draw_label((from + to) / 2.0, side, color)
+		_draw_label(_middle_of_visible_part(from, to), side, color)
 
 
 func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
@@ -60,3 +60,17 @@ func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
 		-extent.x / 2.0 - 6.0, -18.0, -extent.x / 2.0 - 6.0, -18.0
 	)
 	draw_text(label, (middle + side * reach).clamp(room.position, room.end), color, _FONT_SIZE)
+
+
+# The middle of what the board shows of the line between two points in its own pixels.
+func _middle_of_visible_part(from: Vector2, to: Vector2) -> Vector2:
+	var first := 0.0
+	var last := 1.0
+	var way := to - from
+	for axis: int in 2:
+		if way[axis] != 0.0:
+			var at_start := -from[axis] / way[axis]
+			var at_end := (board.size[axis] - from[axis]) / way[axis]
+			first = maxf(first, minf(at_start, at_end))
+			last = minf(last, maxf(at_start, at_end))
+	return from + way * (first + last) / 2.0
