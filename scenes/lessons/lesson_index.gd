@@ -5,6 +5,7 @@ class_name LessonIndex
 const FOLDERS: PackedStringArray = [
 	"l04_dot_product",
 	"l06_line_distance",
+	"l07_point_of_impact",
 ]
 
 

@@ -12,7 +12,7 @@ const _PRESETS: Dictionary[String, Array] = {
 	"Too close": [75.0, 25.0, 0.8],
 	"Behind": [24.0, 93.0, 0.8],
 	"Past the end": [263.0, 166.0, 0.6],
-	"Far p": [120.0, -35.0, 1.6],
+	"Far p": [120.0, -35.0, -0.4],
 }
 
 var _model := LineDistanceModel.new()
@@ -20,6 +20,8 @@ var _step := _STEP_COUNT - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: LineDistanceExercise
 var _exercise_kind := LineDistanceExercise.Kind.DISTANCE
+# Run times of both ways; measured between drags, which they would slow down.
+var _nanoseconds: Dictionary[String, float] = {}
 
 var _steps: Steps
 var _formula: LineDistanceFormula
@@ -186,15 +188,10 @@ func _finish() -> void:
 
 
 func _show_all() -> void:
-	var rim := Vec2.new(_model.ball.radius, _model.ball.radius)
-	var corners: Array[Vec2] = [
-		_model.line.start,
-		_model.line.end,
-		_model.from(),
-		_model.ball.position.plus(rim),
-		_model.ball.position.minus(rim)
-	]
-	fit(corners)
+	var corner := _model.from().plus(_model.ball.position.minus(_model.foot()))
+	fit([_model.line.start, _model.line.end, _model.from(), _model.ball.position, corner])
+	_nanoseconds["from_p"] = CallTimer.nanoseconds(_model.distance)
+	_nanoseconds["from_start"] = CallTimer.nanoseconds(_model.distance_from_start)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()
 
@@ -213,15 +210,10 @@ func _show_model() -> void:
 
 
 func _show_readout() -> void:
-	_show_way("from_p", tr("from p"), _model.distance)
-	_show_way(
-		"from_start",
-		tr("from the start"),
-		LineDistance.signed_distance.bind(_model.ball.position, _model.line)
-	)
+	_show_way("from_p", tr("from p"), _model.distance())
+	_show_way("from_start", tr("from the start"), _model.distance_from_start())
 
 
-func _show_way(key: String, title: String, way: Callable) -> void:
-	var value: float = way.call()
+func _show_way(key: String, title: String, value: float) -> void:
 	var error := ExactLineDistance.error_of(value, _model.ball.position, _model.line)
-	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(way))
+	_readout.show_result(key, title, value, error, _nanoseconds[key])

@@ -19,6 +19,7 @@ extends Node2D
 @onready var _to_segment: DimensionLine = %ToSegment
 @onready var _wrong_ball: BallView = %WrongBall
 @onready var _wrong_way: DimensionLine = %WrongWay
+@onready var _right_way: DimensionLine = %RightWay
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
@@ -74,17 +75,21 @@ func _lay_shadow(model: LineDistanceModel, step: int) -> void:
 
 
 func _lay_gap(model: LineDistanceModel, step: int) -> void:
-	var along := model.line.along()
-	var away := along if model.difference().dot(along) >= 0.0 else along.negated()
-	_gap.label = tr("gap %s") % NumberText.short(model.gap())
+	var away := _away_from_p(model)
 	# Where both overlap, the gap is drawn beside the ball.
 	var rim_pixels := model.ball.radius * _endless.board.pixels_per_unit
 	_gap.offset = 18.0 if model.gap() > 0.0 else rim_pixels + 14.0
+	_gap.label = tr("gap %s") % NumberText.short(model.gap())
 	_gap.lay(model.foot(), model.rim(), away)
+	_gap.visible = step >= 3 and model.mistake == 0
 	_radius.label = "r"
 	_radius.lay(model.rim(), model.ball.position, away.negated())
-	_gap.visible = step >= 3
-	_radius.visible = step >= 3
+	_radius.visible = _gap.visible
+
+
+func _away_from_p(model: LineDistanceModel) -> Vec2:
+	var along := model.line.along()
+	return along if model.difference().dot(along) >= 0.0 else along.negated()
 
 
 func _lay_to_segment(model: LineDistanceModel, step: int) -> void:
@@ -99,6 +104,9 @@ func _lay_mistake(model: LineDistanceModel) -> void:
 	var is_shown := model.mistake != 0 and place.is_finite()
 	_wrong_ball.visible = is_shown
 	_wrong_way.visible = is_shown
+	_right_way.visible = model.mistake != 0
+	_right_way.label = tr("right %s") % NumberText.short(model.distance())
+	_right_way.lay(model.foot(), model.ball.position, _away_from_p(model).negated())
 	if not is_shown:
 		return
 	_wrong_ball.lay(place, model.ball.radius)
@@ -109,4 +117,4 @@ func _lay_mistake(model: LineDistanceModel) -> void:
 		_wrong_way.lay(below, model.ball.position, below.minus(model.foot()))
 	else:
 		_wrong_way.offset = 14.0
-		_wrong_way.lay(model.foot(), place, model.from().minus(model.foot()))
+		_wrong_way.lay(model.foot(), place, _away_from_p(model))

@@ -29,6 +29,11 @@ func distance() -> float:
 	return difference().dot(line.normal())
 
 
+## The same distance as [LineDistance] measures it: from the start of the line.
+func distance_from_start() -> float:
+	return LineDistance.signed_distance(ball.position, line)
+
+
 ## Pixels between the ball's rim and the line; negative where they overlap.
 func gap() -> float:
 	return LineDistance.gap(ball, line)
@@ -41,7 +46,7 @@ func is_overlapping() -> bool:
 
 ## Whether the ball's centre is behind the line, where the normal does not point.
 func is_behind() -> bool:
-	return LineDistance.signed_distance(ball.position, line) < 0.0
+	return distance_from_start() < 0.0
 
 
 ## Where the perpendicular from the ball's centre meets the line.
