@@ -115,11 +115,11 @@ func _lay_ways(model: PointOfImpactModel, step: int) -> void:
 	var side := _sideways(model).negated()
 	var level := old.minus(normal.scaled(model.way_of_frame()))
 	var rim_pixels := model.radius * _endless.board.pixels_per_unit
-	_a.offset = rim_pixels + 16.0
+	_a.offset = rim_pixels + 8.0
 	_a.label = "a " + NumberText.short(model.way_to_contact())
 	_b.label = "b " + NumberText.short(model.way_of_frame())
 	_a.lay(old, old.minus(normal.scaled(model.way_to_contact())), side)
-	_b.offset = _a.offset + _a.label_room() + 6.0
+	_b.offset = _a.offset + _a.label_room()
 	_b.lay(old, level, side)
 	_level.lay(model.new_position, level)
 	_a.visible = step >= 2
