@@ -1,4 +1,5 @@
 class_name ExactContact
+extends RefCounted
 ## Where on its path a ball's centre is exactly [code]radius[/code] away from an infinite line, to
 ## about 100 bits: what position reset and point of impact are compared with.
 ##

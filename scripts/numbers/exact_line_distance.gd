@@ -1,4 +1,5 @@
 class_name ExactLineDistance
+extends RefCounted
 ## The distance of a point from an infinite line to about 100 bits: what a readout compares a
 ## method with.
 ##

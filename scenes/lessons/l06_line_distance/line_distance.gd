@@ -26,7 +26,7 @@ var _nanoseconds: Dictionary[String, float] = {}
 var _steps: Steps
 var _formula: LineDistanceFormula
 var _readout: Readout
-var _options: Options
+var _options: LessonOptions
 var _mistakes: Mistakes
 var _question: Question
 
@@ -59,7 +59,7 @@ func show_state(stored: Dictionary) -> void:
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question
 

@@ -1,4 +1,5 @@
 class_name LineDistanceMistakes
+extends RefCounted
 ## The wrong distances of the bug gallery. The right one is [LineDistance].
 
 ## The normal is not brought to length 1.

@@ -1,4 +1,5 @@
 class_name LineDistanceTexts
+extends RefCounted
 ## The sentences and formula lines of the lesson on the distance from a line, step by step, and its
 ## verdict.
 

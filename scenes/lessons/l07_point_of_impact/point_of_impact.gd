@@ -31,7 +31,7 @@ var _nanoseconds: Dictionary[String, float] = {}
 var _steps: Steps
 var _formula: PointOfImpactFormula
 var _readout: Readout
-var _options: Options
+var _options: LessonOptions
 var _mistakes: Mistakes
 var _question: Question
 
@@ -64,7 +64,7 @@ func show_state(stored: Dictionary) -> void:
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question
 

@@ -1,4 +1,5 @@
 class_name PointOfImpactMistakes
+extends RefCounted
 ## The wrong shares of the bug gallery. The right one is [PointOfImpact].
 
 ## Divides by the new distance instead of the way of the frame.

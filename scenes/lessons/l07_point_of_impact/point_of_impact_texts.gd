@@ -1,4 +1,5 @@
 class_name PointOfImpactTexts
+extends RefCounted
 ## The sentences and formula lines of the lesson on the point of impact, step by step, and its
 ## verdict.
 

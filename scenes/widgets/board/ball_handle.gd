@@ -11,6 +11,10 @@ func place_ball(centre: Vec2, radius: float) -> void:
 	place(centre)
 
 
+func covers(pixel: Vector2) -> bool:
+	return _has_point(get_global_transform().affine_inverse() * pixel)
+
+
 func _has_point(pixel: Vector2) -> bool:
 	return pixel.distance_to(size / 2.0) <= size.x / 2.0
 
