@@ -6,6 +6,8 @@ extends RefCounted
 const FOLDERS: PackedStringArray = [
 	"l01_class_or_value",
 	"l04_dot_product",
+	"l06_line_distance",
+	"l07_point_of_impact",
 ]
 
 

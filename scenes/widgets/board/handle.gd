@@ -71,6 +71,11 @@ func is_on(board: Board) -> bool:
 	return board == _board
 
 
+## Whether the handle takes what is at [param pixel] of the whole screen.
+func covers(pixel: Vector2) -> bool:
+	return get_global_rect().has_point(pixel)
+
+
 func _draw() -> void:
 	var middle := size / 2.0
 	var color := Palette.color(role)
