@@ -3,7 +3,8 @@ extends Control
 ## The plane that a lesson draws on: says where a point of the plane is on the screen, and back.
 ##
 ## One unit of the plane is a pixel of the course; the board shows it larger. y points down, as on
-## the screen. This is the one place of the view where [Vec2] meets [Vector2].
+## the screen, unless [member is_y_up]. This is the one place of the view where [Vec2] meets
+## [Vector2].
 
 ## Scale, middle or size changed: what is drawn on the board has to be drawn again.
 signal view_changed
@@ -29,6 +30,13 @@ var grid_step := 1.0
 ## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
 var snap_step := 0.0
 
+## False: y points down, as on the screen and in the course. True: y points up, as in mathematics.
+## The plane and all numbers stay; only the picture is turned over.
+var is_y_up := false:
+	set(value):
+		is_y_up = value
+		view_changed.emit()
+
 var _middle := Vec2.new()
 var _pressed_button := MOUSE_BUTTON_NONE
 
@@ -48,6 +56,7 @@ func to_screen(point: Vec2) -> Vector2:
 	var limit := 1e6
 	var from_middle := point.minus(_middle).scaled(pixels_per_unit)
 	from_middle.limit_length(limit)
+	from_middle.y *= y_sign()
 	return from_middle.to_vector2() + size / 2.0
 
 
@@ -55,8 +64,15 @@ func to_screen(point: Vec2) -> Vector2:
 func to_plane(pixel: Vector2) -> Vec2:
 	var point := Vec2.from_vector2(pixel - size / 2.0)
 	point.scale(1.0 / pixels_per_unit)
+	point.y *= y_sign()
 	point.add(_middle)
 	return point
+
+
+## 1 where y points down the screen, -1 where it points up. Angles of the plane are seen on the
+## screen with this sign.
+func y_sign() -> float:
+	return -1.0 if is_y_up else 1.0
 
 
 ## Units between two points to which handles snap.
