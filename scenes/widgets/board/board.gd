@@ -16,10 +16,11 @@ signal released
 
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
-## Nor is it wider than this, in pixels.
-const WIDEST_STEP := 40.0
 ## Grid steps are these times a power of ten.
 const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
+
+## Nor does [method fit] make it wider than this; more where a lesson draws short vectors.
+@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := 40.0
 
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
@@ -100,7 +101,7 @@ func fit(points: Array[Vec2]) -> void:
 	var narrowest_unit := minf(room.x / maxf(reach_x, 1e-300), room.y / maxf(reach_y, 1e-300))
 	var is_tiny := maxf(reach_x, reach_y) < 1.0 and maxf(reach_x, reach_y) > 0.0
 	grid_step = maxf(_next_step(NARROWEST_STEP / narrowest_unit), 0.0 if is_tiny else 1.0)
-	pixels_per_unit = minf(WIDEST_STEP / grid_step, narrowest_unit)
+	pixels_per_unit = minf(widest_step / grid_step, narrowest_unit)
 	queue_redraw()
 	view_changed.emit()
 
