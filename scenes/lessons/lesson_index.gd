@@ -3,6 +3,7 @@ class_name LessonIndex
 
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
+	"l02_easy_bounce",
 	"l03_normals",
 	"l04_dot_product",
 ]
