@@ -136,12 +136,13 @@ func _enter_number(name_in_line: String, value: float) -> void:
 	var problem := EasyBounceSetup.problem(name_in_line, value)
 	noticed.emit(problem)
 	if not problem:
-		_take_hold()
 		_put_number(name_in_line, value)
 	_finish()
 
 
 func _put_number(name_in_line: String, value: float) -> void:
+	if name_in_line in ["px", "py", "vx", "vy"]:
+		_take_hold()
 	match name_in_line:
 		"px":
 			_model.ball.position.x = value

@@ -19,7 +19,7 @@ func _init(formula: Formula) -> void:
 	_formula.define_number("vy", Palette.Role.PROJECTION, tr("y of v"))
 	_formula.define_number("r", Palette.Role.INK, tr("Radius of the ball"))
 	_formula.define_number("tilt", Palette.Role.INK, tr("Tilt of the line in degrees"))
-	for number: String in ["line_at", "p_axis", "radius"]:
+	for number: String in ["frame", "line_at", "p_axis", "radius"]:
 		_formula.define_number(number, Palette.Role.INK)
 	for number: String in ["straight", "easy_hit", "back", "v_easy"]:
 		_formula.define_number(number, Palette.Role.B)
@@ -36,6 +36,7 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 	_formula.set_number("vy", moved.velocity.y)
 	_formula.set_number("r", moved.radius)
 	_formula.set_number("tilt", model.tilt_degrees)
+	_put_result("frame", model.frame())
 	_put_easy(model, moved)
 	_put_right(model, moved)
 

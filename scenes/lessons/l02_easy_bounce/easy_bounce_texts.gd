@@ -16,7 +16,7 @@ static func sentences(model: EasyBounceModel) -> PackedStringArray:
 static func lines(model: EasyBounceModel, moved: Ball, step: int) -> PackedStringArray:
 	var found: PackedStringArray = [
 		"{p} = ( {px} , {py} )     {v} = ( {vx} , {vy} )",
-		"r = {r}     " + _translate("tilt") + " = {tilt}°",
+		"r = {r}     " + _translate("tilt") + " = {tilt}°     " + _translate("frame") + " {frame}",
 	]
 	var wanted: Array[int] = [step]
 	if step == Step.BOUNCE:
@@ -30,7 +30,7 @@ static func lines(model: EasyBounceModel, moved: Ball, step: int) -> PackedStrin
 
 ## Whether a distance means a hit, in words.
 static func hit_text(is_hit: bool) -> String:
-	return _translate("< r: hit") if is_hit else _translate("≥ r: no hit")
+	return _translate("< r: hit") if is_hit else "≥ r"
 
 
 ## Whether the velocity matters in [param step]; where it does not, it only crosses the drawing.
