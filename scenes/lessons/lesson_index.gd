@@ -5,6 +5,8 @@ extends RefCounted
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
 	"l01_class_or_value",
+	"l02_easy_bounce",
+	"l03_normals",
 	"l04_dot_product",
 	"l06_line_distance",
 	"l07_point_of_impact",
