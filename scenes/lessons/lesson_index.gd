@@ -5,6 +5,7 @@ class_name LessonIndex
 const FOLDERS: PackedStringArray = [
 	"l04_dot_product",
 	"l05_projection_proof",
+	"l08_reflection",
 ]
 
 

@@ -73,7 +73,8 @@ func _lay_turned(model: ProjectionProofModel) -> void:
 	_turned_p.keep_label_from(model.b if _p.visible else a)
 	_rest.lay(p, a)
 	_right_angle.measure(p, b.negated(), a.minus(p))
-	_rest.visible = a.distance_to(p) > 1e-9 * a.length()
+	_turned_p.visible = model.has_direction()
+	_rest.visible = model.has_direction() and a.distance_to(p) > 1e-9 * a.length()
 	_right_angle.visible = _right_angle.visible and _rest.visible
 	_head_turned_a.place(a)
 	_head_turned_b.place(b)

@@ -66,8 +66,8 @@ func set_turned_a(head: Vec2) -> void:
 	a.rotate_radians(beta() * turned_share)
 
 
-## Makes b so long that it reaches [param head], or its shadow on b, after the share of the turn; its
-## direction stays. A head that lies behind the tail is not taken.
+## Makes b so long that after the share of the turn it reaches the shadow of [param head] on it; its
+## direction stays. A head behind the tail is not taken.
 func set_reach_of_turned_b(head: Vec2) -> void:
 	var reach := head.scalar_projection(turned(b))
 	if reach > 0.0:
