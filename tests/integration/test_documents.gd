@@ -9,7 +9,7 @@ const _DOCUMENTS: PackedStringArray = [
 ]
 ## What a first folder in backticks must be for the text to count as a path of the project.
 const _PATH := "`((?:scripts|scenes|tests|tools|docs|benchmarks|assets)/[\\w./]*)`"
-const _LINK := "\\]\\((?!https?:)([^)#]+)\\)|src=\"([^\"]+)\""
+const _LINK := '\\]\\((?!https?:)([^)#]+)\\)|src="([^"]+)"'
 
 
 func test_every_path_in_backticks_exists() -> void:
@@ -43,7 +43,9 @@ func _found(document: String, pattern: String) -> PackedStringArray:
 	var text := FileAccess.get_file_as_string("res://" + document)
 	assert_ne(text, "", document + " can be read")
 	for hit in RegEx.create_from_string(pattern).search_all(text):
-		var groups := Array(hit.strings.slice(1)).filter(func(group: String) -> bool: return group != "")
+		var groups := Array(hit.strings.slice(1)).filter(
+			func(group: String) -> bool: return group != ""
+		)
 		found.append_array(PackedStringArray(groups))
 	return found
 
