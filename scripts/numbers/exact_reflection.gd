@@ -1,4 +1,5 @@
 class_name ExactReflection
+extends RefCounted
 ## The reflection off a line to about 100 bits: what a readout compares a method with.
 ##
 ## The components are taken as exact. They must be 0 or have a magnitude between 1e-140 and 1e140.

@@ -1,4 +1,5 @@
 class_name LastPlace
+extends RefCounted
 ## Units in the last place: how many doubles apart two results are.
 ##
 ## A double has 53 binary digits; one unit in the last place of a number is the distance to the next

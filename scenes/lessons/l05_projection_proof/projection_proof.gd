@@ -77,7 +77,7 @@ func _connect_services() -> void:
 	panel.number_entered.connect(_enter_number)
 	panel.role_pointed.connect(_drawing.light)
 	panel.refused.connect(noticed.emit)
-	var options := services[&"options"] as Options
+	var options := services[&"options"] as LessonOptions
 	for title: String in _PRESETS:
 		options.add_preset(title, tr(title))
 	options.preset_picked.connect(_set_up)

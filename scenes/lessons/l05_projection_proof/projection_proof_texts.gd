@@ -1,4 +1,5 @@
 class_name ProjectionProofTexts
+extends RefCounted
 ## The sentences and formula lines of the proof, step by step.
 
 ## The steps, counted from 0.

@@ -19,7 +19,7 @@ var _exercise_kind := ReflectionExercise.Kind.MIRROR
 var _steps: Steps
 var _formula: ReflectionFormula
 var _readout: Readout
-var _options: Options
+var _options: LessonOptions
 var _transport: Transport
 var _mistakes: Mistakes
 var _question: Question
@@ -52,7 +52,7 @@ func show_state(stored: Dictionary) -> void:
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_transport = services[&"transport"] as Transport
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question

@@ -1,4 +1,5 @@
 class_name ReflectionMistakes
+extends RefCounted
 ## Four ways in which students get the reflection wrong, by their numbers in the course's list.
 ##
 ## None of this is used outside the bug gallery; the right way is in `scripts/collision/bounce.gd`.

@@ -1,4 +1,5 @@
 class_name ReflectionTexts
+extends RefCounted
 ## The sentences and formula lines of the lesson on reflection, step by step.
 
 
