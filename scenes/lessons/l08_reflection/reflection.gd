@@ -63,9 +63,11 @@ func _bring_services() -> void:
 
 
 func _connect_board() -> void:
-	_connect_handle(%Start as Handle, func(at: Vec2) -> void: _model.velocity = at.negated())
+	_connect_handle(
+		%Start as Handle, func(at: Vec2) -> void: _model.velocity = Vec2.new().minus(at)
+	)
 	_connect_handle(%VelocityHead as Handle, func(at: Vec2) -> void: _model.velocity = at.copy())
-	_connect_handle(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(at.negated()))
+	_connect_handle(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
 	_connect_handle(%LineEnd as Handle, _turn_line)
 	_connect_handle(%NormalHead as Handle, _drag_normal)
 	_connect_handle(%LeavingHead as Handle, _drag_leaving)

@@ -115,7 +115,7 @@ func point_normal(direction: Vec2) -> void:
 func aim_bounciness(head: Vec2) -> void:
 	var into := velocity.dot(unit_normal())
 	if into != 0.0:
-		bounciness = snappedf(clampf(-head.dot(unit_normal()) / into, 0.0, 1.0), 0.05)
+		bounciness = roundf(20.0 * clampf(-head.dot(unit_normal()) / into, 0.0, 1.0)) / 20.0
 
 
 ## Takes a typed number by its name in the formula lines. "" if it could be taken; else one sentence
