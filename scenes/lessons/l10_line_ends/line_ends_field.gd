@@ -29,6 +29,7 @@ var _head := Vec2.new()
 @onready var _shot: DraggableVector = %Shot
 @onready var _start_ball: BallView = %StartBall
 @onready var _impact_ball: BallView = %ImpactBall
+@onready var _wrong_impact_ball: BallView = %WrongImpactBall
 @onready var _wrong_ball: BallView = %WrongBall
 @onready var _ball: BallView = %Ball
 
@@ -49,7 +50,9 @@ func _ready() -> void:
 
 ## Chooses the scale so that the whole shot of [param model] is seen.
 func fit(model: LineEndsModel) -> void:
-	_outline = model.outline()
+	_outline = model.outline(kind)
+	if kind == LineEndsModel.Field.ROUND_CAPS:
+		_outline.append_array(LineEndsMistakes.outline(model))
 	_board.fit(_outline)
 
 
@@ -74,6 +77,8 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 		_impact_ball.lay(flight.impact.position, model.radius)
 	_show_wrong(model, wrong)
 	_words.text = LineEndsWords.sentence(model, kind)
+	if wrong:
+		_words.text += "\n" + LineEndsWords.wrong_sentence(model, wrong)
 
 
 ## Lights up what has the colour of [param role].
@@ -85,6 +90,9 @@ func _show_wrong(model: LineEndsModel, wrong: BallFlight) -> void:
 	var is_seen := wrong != null and wrong.is_finite()
 	_wrong_flight.visible = is_seen
 	_wrong_ball.visible = is_seen
+	_wrong_impact_ball.visible = is_seen and wrong.impact.hit
+	if _wrong_impact_ball.visible:
+		_wrong_impact_ball.lay(wrong.impact.position, model.radius)
 	if is_seen:
 		_wrong_flight.show_flight(wrong, model.time)
 		_wrong_ball.lay(wrong.position_at(model.time), model.radius)

@@ -10,7 +10,9 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 	_define_symbols()
 	_define_typed_numbers()
-	for number: String in ["signed", "distance", "approach", "s", "d_squared", "r_squared"]:
+	for number: String in [
+		"radius", "signed", "distance", "approach", "s", "d_squared", "r_squared"
+	]:
 		_formula.define_number(number, Palette.Role.INK)
 	for number: String in ["a", "b", "c", "discriminant", "minus_b", "root", "two_a"]:
 		_formula.define_number(number, Palette.Role.INK)
@@ -102,6 +104,7 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 	_formula.set_number("signed", LineDistance.signed_distance(model.start, model.segment))
 	_formula.set_number("distance", distance)
 	_formula.set_number("approach", approach)
+	_formula.set_number("radius", model.radius)
 	if approach != 0.0:
 		var time := PointOfImpact.share(distance, distance - approach, model.radius)
 		var point := model.start.plus(model.motion.scaled(time))

@@ -42,7 +42,7 @@ static func infos() -> Array[MistakeInfo]:
 		MistakeInfo.new(
 			23,
 			_translate("line without ends"),
-			_translate("An infinite line used as a segment: the ball bounces where no line is."),
+			_translate("Infinite, no caps or one-sided: compare the four small fields, marked ✗."),
 			"test_segment_impact.test_an_infinite_line_is_not_a_segment"
 		),
 	]

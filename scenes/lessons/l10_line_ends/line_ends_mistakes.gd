@@ -36,6 +36,18 @@ static func shows(number: int, model: LineEndsModel) -> bool:
 	return not wrong.position_at(1.0).equals_approx(right.position_at(1.0), 1e-6)
 
 
+## The points that a picture must hold to show where the mistake of [param model] puts the ball at
+## its impact; none where that is far off.
+static func outline(model: LineEndsModel) -> Array[Vec2]:
+	if model.mistake == 0:
+		return []
+	var wrong := impact(model.mistake, model)
+	if not wrong.hit or not absf(wrong.time) <= 2.0:
+		return []
+	var reach := Vec2.new(model.radius, model.radius)
+	return [wrong.position.plus(reach), wrong.position.minus(reach)]
+
+
 ## Mistake 18: (-b - D²) / 2a: the square where the root belongs, and a = 0 not tested before.
 static func discriminant_squared(equation: CapEquation) -> float:
 	var discriminant := equation.discriminant()

@@ -29,13 +29,13 @@ const LARGEST := 1e6
 const SMALLEST := 1e-3
 
 ## The ball's centre at the beginning of the frame.
-var start := Vec2.new(-4.0, -8.0)
+var start := Vec2.new(-6.0, -8.0)
 ## The way of the whole frame: the velocity in pixels per frame.
 var motion := Vec2.new(6.0, 16.0)
 ## The ball's radius, [constant SMALLEST] to [constant LARGEST].
 var radius := 5.0
 ## The line between its ends; an infinite line goes on through both.
-var segment := LineSegment.new(Vec2.new(3.0, 3.0), Vec2.new(15.0, 8.0))
+var segment := LineSegment.new(Vec2.new(1.0, 3.0), Vec2.new(13.0, 8.0))
 ## How much of the frame has passed, 0..1.
 var time := 1.0
 ## The mistake that runs beside the right way, by its number; 0 for none.
@@ -108,13 +108,13 @@ func facing_normal() -> Vec2:
 	return SegmentImpact.facing_segment(start, segment).normal()
 
 
-## The points that a picture of the shot must hold: the line, and the ball wherever it can be.
-func outline() -> Array[Vec2]:
+## The points that a picture of a field must hold: the line, and the ball wherever it can be.
+func outline(field: Field) -> Array[Vec2]:
 	var reach := Vec2.new(radius, radius)
 	var found: Array[Vec2] = [segment.start, segment.end]
-	var centres: Array[Vec2] = [start, new_position()]
-	for field: Field in [Field.INFINITE_TWO_SIDED, Field.ROUND_CAPS]:
-		centres.append(flight_in(field).position_at(1.0))
+	var centres: Array[Vec2] = [start, new_position(), flight_in(field).position_at(1.0)]
+	if field == Field.ROUND_CAPS:
+		centres.append_array(found)
 	for centre in centres:
 		found.append(centre.plus(reach))
 		found.append(centre.minus(reach))

@@ -4,11 +4,11 @@ class_name LineEndsPresets
 ## By their titles (source text): x and y of the ball's centre, of its motion, its radius, x and y
 ## of both ends of the line.
 const SHOTS: Dictionary[String, Array] = {
-	"End": [-4.0, -8.0, 6.0, 16.0, 5.0, 3.0, 3.0, 15.0, 8.0],
+	"End": [-6.0, -8.0, 6.0, 16.0, 5.0, 1.0, 3.0, 13.0, 8.0],
 	"Head-on": [-6.0, 0.0, 10.0, 0.0, 3.0, 2.0, 0.0, 12.0, 0.0],
 	"Middle": [-4.0, -10.0, 8.0, 16.0, 3.0, -9.0, 4.0, 9.0, 4.0],
 	"Miss": [-9.0, -7.0, 16.0, 12.0, 3.0, 3.0, -4.0, 12.0, -8.0],
-	"Overlap": [-4.0, -3.0, 6.0, 5.0, 5.0, -1.0, 1.0, 11.0, 4.0],
+	"Overlap": [-4.0, -2.0, 6.0, 8.0, 5.0, -1.0, 1.0, 11.0, 4.0],
 }
 
 

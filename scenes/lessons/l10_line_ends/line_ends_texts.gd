@@ -44,10 +44,10 @@ static func _add_lines_of_line(found: PackedStringArray, model: LineEndsModel, s
 	if model.motion.dot(model.facing_normal()) == 0.0:
 		found.append("{v} · {n} = 0: " + _translate("along the line, no time of impact"))
 		return
-	found.append("{t} = ({distance} − {r}) / {approach} = {line_time}")
+	found.append("{t} = ({distance} − {radius}) / {approach} = {line_time}")
 	if step == Step.SEGMENT:
-		found.append("{t}:  P + {t} {v} = {line_point}")
-		found.append("s = (P + {t} {v} − A) · (B − A) / |B − A|² = {s}")
+		found.append("F = P + {t} {v} = {line_point}")
+		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
 
 
 static func _add_lines_of_cap(found: PackedStringArray, model: LineEndsModel, step: int) -> void:
@@ -70,7 +70,7 @@ static func _lines_of_roots(model: LineEndsModel) -> PackedStringArray:
 	if equation.a == 0.0:
 		return [_translate("a = 0: the ball does not move. Do not divide by a.")]
 	if not equation.has_roots():
-		return [_translate("D < 0: no root of it. The ball passes beside.")]
+		return [_translate("D < 0: no root. This end is not touched.")]
 	return [
 		"{t} = (−b − √D) / 2a = ({minus_b} − {root}) / {two_a} = {first}",
 		"{u} = (−b + √D) / 2a = {second}     " + _verdict(model, equation),
@@ -84,7 +84,7 @@ static func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
 	if equation.b >= 0.0:
 		return _translate("moving away: none")
 	if equation.c <= 0.0:
-		return _translate("overlaps already: t = 0")
+		return _translate("overlap: t = 0")
 	return _translate("t₁ counts") if equation.first_root() <= 1.0 else _translate("t₁ > 1: none")
 
 

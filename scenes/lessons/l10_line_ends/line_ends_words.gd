@@ -19,10 +19,29 @@ static func title(field: LineEndsModel.Field) -> String:
 ## What happens in a field, translated.
 static func sentence(model: LineEndsModel, field: LineEndsModel.Field) -> String:
 	var words := _of_result(model.result_in(field))
+	if _is_wrong_line(model, field):
+		words = "✗ " + words
 	var impact := model.impact_in(field)
 	if not impact.hit:
 		return words
-	return words + ", t = " + NumberText.short(impact.time, 3)
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.time, 3)
+
+
+## What the wrong ball of a mistake does, translated: its [param wrong] flight beside the right one.
+static func wrong_sentence(model: LineEndsModel, wrong: BallFlight) -> String:
+	if not LineEndsMistakes.shows(model.mistake, model):
+		return _translate("the wrong ball does the same here")
+	if not wrong.impact.hit:
+		return _translate("✗ the wrong ball passes")
+	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.time, 5)
+
+
+# Mistake 23 is one of the other lines in the place of the right one.
+static func _is_wrong_line(model: LineEndsModel, field: LineEndsModel.Field) -> bool:
+	if model.mistake != 23:
+		return false
+	var right := model.flight_in(LineEndsModel.Field.ROUND_CAPS).position_at(1.0)
+	return not model.flight_in(field).position_at(1.0).equals_approx(right, 1e-6)
 
 
 static func _of_result(result: LineEndsModel.Result) -> String:
