@@ -3,7 +3,7 @@
 
 LAB_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 LAB_BUILD=$LAB_ROOT/build
-LAB_CACHE=${XDG_CACHE_HOME:-$HOME/.cache}/vec2-lab
+LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/vec2-lab
 
 GODOT_VERSION=4.6.3
 GODOT_RELEASES=${GODOT_RELEASES:-https://github.com/godotengine/godot-builds/releases/download}
@@ -58,6 +58,14 @@ prepare_project() {
 	"$LAB_ROOT/tools/get_gut.sh"
 	"$LAB_ROOT/tools/import.sh" "$godot"
 }
+
+# The id of every lesson, a line each; after prepare_project.
+lesson_ids() {
+	"$godot" --headless --path "$LAB_ROOT" --quit-after 1000 -s tools/lesson_ids.gd </dev/null |
+		sed -n 's/^lesson //p'
+}
+
+has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
 # engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none.
 engine_messages() { grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" || true; }

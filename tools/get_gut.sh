@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Puts GUT into addons/gut: the copy that is there, the cache, $GUT_REPO, the public repository; else the stand-in.
+# GUT_REPO=none asks for the stand-in.
 # Usage: tools/get_gut.sh [--try-all]   (asks the network again even where the stand-in is already in place)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -53,10 +54,11 @@ from_git() {
 	fetch "$GUT_PUBLIC_REPO"
 }
 
-if is_gut "$place"; then
+if [ "${GUT_REPO:-}" = none ]; then
+	put "$stand_in"
+elif is_gut "$place"; then
 	exit
-fi
-if is_gut "$cached"; then
+elif is_gut "$cached"; then
 	put "$cached"
 elif is_stand_in && [ -z "${GUT_REPO:-}" ] && [ "${1:-}" != --try-all ]; then
 	put "$stand_in"

@@ -1,8 +1,10 @@
 class_name LessonIndex
+extends RefCounted
 ## The lessons in the order in which they are taught. A new lesson is one folder and one line here.
 
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
+	"l01_class_or_value",
 	"l04_dot_product",
 	"l10_line_ends",
 ]

@@ -1,4 +1,5 @@
 class_name LessonRequest
+extends RefCounted
 ## Which lesson was asked for when the lab was started: `-- --lesson=<id>`, or `#<id>` in a
 ## browser's address.
 

@@ -1,4 +1,5 @@
 class_name Navigation
+extends RefCounted
 ## Goes from the start screen to a lesson and back.
 
 const _START_SCREEN := "res://scenes/shell/start_screen.tscn"

@@ -1,4 +1,5 @@
 class_name CapImpact
+extends RefCounted
 ## Part 18 of the lecture: a line ends, and the ball bounces on the end. The ball's centre moves by
 ## `motion` in this frame; it touches where its distance from the end is the radius:
 ## |d + t m| = r, which is a t^2 + b t + c = 0 with a = m.m, b = 2 d.m, c = d.d - r^2.

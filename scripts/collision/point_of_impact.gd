@@ -1,4 +1,5 @@
 class_name PointOfImpact
+extends RefCounted
 ## Part 13 of the lecture: how much of a frame has passed when a ball touches an infinite line.
 ##
 ## With the old and the new distance from the line, a = old - r is the way to the contact and

@@ -1,4 +1,5 @@
 class_name SegmentImpact
+extends RefCounted
 ## Part 18 of the lecture put together: the impact with a segment that ends in round caps and works
 ## from both sides.
 

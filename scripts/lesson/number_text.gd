@@ -1,4 +1,5 @@
 class_name NumberText
+extends RefCounted
 ## Numbers as a student reads them, and typed text as a number.
 
 ## The true minus sign, as wide as a plus.

@@ -1,9 +1,8 @@
 extends GutHookScript
 ## Runs after the last test and finds what the runner itself lets pass: scripts that were not run,
 ## tests without an assert, orphan nodes, errors and warnings that no test expected. Sets the exit
-## code, and leaves `build/test/report.txt` to `./lab test`: `passed N`, then `problem TEXT` for
-## each
-## thing that is wrong.
+## code, and leaves `build/test/report.txt` to `./lab test`: `passed N`, then a line `problem TEXT`
+## for each thing that is wrong.
 
 const REPORT := "res://build/test/report.txt"
 

@@ -11,8 +11,8 @@ signal moved(point: Vec2)
 ## A drag or nudge has ended.
 signal released
 
-## Side of the square that takes the touch, in pixels.
-const TOUCH_SIZE := 52.0
+## Side of the square that takes the touch, in pixels of the drawing: 45 in a window of 800x600.
+const TOUCH_SIZE := 54.0
 
 const _NUDGES: Dictionary[StringName, Vector2] = {
 	&"ui_left": Vector2.LEFT,
