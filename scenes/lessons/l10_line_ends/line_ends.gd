@@ -60,7 +60,7 @@ func _connect_formula() -> void:
 
 
 func _connect_panel() -> void:
-	var options := services[&"options"] as Options
+	var options := services[&"options"] as LessonOptions
 	for title: String in LineEndsPresets.SHOTS:
 		options.add_preset(title, tr(title))
 	options.preset_picked.connect(_set_up)

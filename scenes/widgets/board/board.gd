@@ -36,8 +36,13 @@ var _middle := Vec2.new()
 var _pressed_button := MOUSE_BUTTON_NONE
 
 
+func _init() -> void:
+	focus_mode = Control.FOCUS_CLICK
+
+
 func _ready() -> void:
 	clip_contents = true
+	focus_entered.connect(_pass_focus_on)
 	resized.connect(view_changed.emit)
 
 
@@ -89,6 +94,25 @@ func fit(points: Array[Vec2]) -> void:
 	pixels_per_unit = minf(WIDEST_STEP / grid_step, narrowest_unit)
 	queue_redraw()
 	view_changed.emit()
+
+
+## The handles that can be seen on this board, in the order in which the Tab key reaches them.
+func handles() -> Array[Handle]:
+	var found: Array[Handle] = []
+	for node: Node in get_tree().get_nodes_in_group(Handle.GROUP):
+		var handle := node as Handle
+		if handle.is_on(self) and handle.is_visible_in_tree():
+			found.append(handle)
+	return found
+
+
+# A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to
+# the last.
+func _pass_focus_on() -> void:
+	var all := handles()
+	if all.is_empty() or Input.get_mouse_button_mask() != 0:
+		return
+	all[-1 if Input.is_action_pressed(&"ui_focus_prev") else 0].grab_focus()
 
 
 func _gui_input(event: InputEvent) -> void:
