@@ -131,7 +131,7 @@ static func _impact(old: Vec2, motion: Vec2, radius: float) -> Impact:
 
 static func _random_impacts(seed_number: int) -> Array[Impact]:
 	var found: Array[Impact] = []
-	var vectors := random_vectors(seed_number, 2000)
+	var vectors := random_vectors(seed_number, 3000)
 	for index: int in range(0, vectors.size(), 2):
 		found.append(_impact(vectors[index], vectors[index + 1].scaled(3.0), 20.0))
 	return found

@@ -61,7 +61,7 @@ func test_without_caps_a_ball_passes_beside_an_end() -> void:
 
 func test_the_end_is_tested_at_the_impact_not_after_the_frame() -> void:
 	# It touches beside the end, and is above the line only after the frame.
-	var onto_cap := _with_floor(Vec2.new(-140, -50), Vec2.new(80, 80))
+	var onto_cap := _with_floor(Vec2.new(-145, -50), Vec2.new(80, 80))
 	assert_eq(onto_cap.feature, Impact.Feature.START)
 	# It touches the line, and is beside the end only after the frame.
 	var onto_line := _with_floor(Vec2.new(70, -50), Vec2.new(50, 80))
@@ -82,6 +82,21 @@ func test_a_ball_that_rolls_along_the_line_does_not_bounce_on_its_end() -> void:
 func test_a_sunk_ball_that_moves_away_does_not_bounce_on_the_end_inside() -> void:
 	# The nearest point is on the line all the way; the end is never what it touches.
 	assert_false(_with_floor(Vec2.new(0, -5), Vec2.new(200, -0.1)).hit)
+
+
+func test_a_sunk_ball_that_leaves_may_cross_the_circle_of_the_other_end() -> void:
+	var short := LineSegment.new(Vec2.zero(), Vec2.new(16, 0))
+	var impact := SegmentImpact.with_segment(Vec2.new(-1, -5), Vec2.new(100, -25), RADIUS, short)
+	assert_false(impact.hit)
+	assert_eq(impact.outcome, Impact.Outcome.MOVING_AWAY)
+
+
+func test_a_ball_sunk_into_both_ends_is_turned_back_by_the_nearer_one() -> void:
+	var short := LineSegment.new(Vec2.zero(), Vec2.new(2, 0))
+	var impact := SegmentImpact.with_segment(Vec2.new(5, -4), Vec2.new(-10, 0), RADIUS, short)
+	assert_eq(impact.time, 0.0)
+	assert_eq(impact.feature, Impact.Feature.END)
+	assert_vec2(impact.normal, Vec2.new(0.6, -0.8), 1e-15)
 
 
 func test_a_sunk_ball_that_approaches_is_turned_back_at_once() -> void:
@@ -106,7 +121,7 @@ func test_a_segment_of_no_length_is_a_round_point() -> void:
 func test_random_impacts_agree_with_a_dense_sampling_of_the_distance() -> void:
 	var hits := 0
 	var problems := PackedStringArray()
-	var vectors := random_vectors(61, 1200)
+	var vectors := random_vectors(61, 3000)
 	for index: int in range(0, vectors.size(), 4):
 		var segment := LineSegment.new(vectors[index], vectors[index + 1])
 		var old := vectors[index + 2].scaled(1.5)
@@ -125,7 +140,7 @@ func test_random_impacts_agree_with_a_dense_sampling_of_the_distance() -> void:
 func test_random_impacts_are_approaching_contacts_at_the_radius() -> void:
 	var distances := PackedFloat64Array()
 	var approaches := PackedFloat64Array()
-	var vectors := random_vectors(62, 1200)
+	var vectors := random_vectors(62, 3000)
 	for index: int in range(0, vectors.size(), 4):
 		var segment := LineSegment.new(vectors[index], vectors[index + 1])
 		var old := vectors[index + 2].scaled(1.5)
