@@ -9,6 +9,8 @@ var _model := LineEndsModel.new()
 var _step := LineEndsTexts.Step.size() - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: CapExercise
+# Why the last change could not be taken; "" where it could.
+var _refusal := ""
 var _exercise_kind := CapExercise.Kind.TIME
 
 var _steps: Steps
@@ -94,15 +96,14 @@ func _move_line(from: Vec2, to: Vec2) -> void:
 func _change(edit: Callable) -> void:
 	var old := _model.to_dictionary()
 	edit.call()
-	var problem := _model.problem()
-	if problem:
+	_refusal = _model.problem()
+	if _refusal:
 		_model.from_dictionary(old)
-	noticed.emit(problem)
 	_show_model()
 
 
 func _enter_number(name_in_line: String, value: float) -> void:
-	noticed.emit(LineEndsFormula.enter(_model, name_in_line, value))
+	_refusal = LineEndsFormula.enter(_model, name_in_line, value)
 	_finish()
 
 
@@ -147,6 +148,8 @@ func _go_to_step(step: int) -> void:
 func _finish() -> void:
 	_show_all()
 	edited.emit()
+	noticed.emit(_refusal)
+	_refusal = ""
 
 
 # What the student sees.

@@ -44,8 +44,7 @@ func _ready() -> void:
 	_board.released.connect(released.emit)
 	_board.resized.connect(func() -> void: _board.fit(_outline))
 	if not has_keyboard:
-		for handle in find_children("*", "Handle", true, false):
-			(handle as Handle).focus_mode = Control.FOCUS_NONE
+		_leave_keyboard()
 
 
 ## Chooses the scale so that the whole shot of [param model] is seen.
@@ -84,6 +83,12 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 ## Lights up what has the colour of [param role].
 func light(role: Palette.Role) -> void:
 	_shot.light(role == Palette.Role.A)
+
+
+func _leave_keyboard() -> void:
+	for handle in _board.handles():
+		handle.focus_mode = Control.FOCUS_NONE
+	_board.focus_mode = Control.FOCUS_CLICK
 
 
 func _show_wrong(model: LineEndsModel, wrong: BallFlight) -> void:

@@ -1,52 +1,70 @@
 extends LabTest
 ## The model of the lesson on line ends: one shot at five kinds of line.
 
-const Field := LineEndsModel.Field
-const Result := LineEndsModel.Result
-
 
 func test_at_the_start_the_five_fields_differ_as_the_lesson_says() -> void:
 	var model := LineEndsModel.new()
-	assert_eq(model.result_in(Field.INFINITE_ONE_SIDED), Result.PASSES_THROUGH)
-	assert_eq(model.result_in(Field.INFINITE_TWO_SIDED), Result.BOUNCES_IN_THE_AIR)
-	assert_eq(model.result_in(Field.SEGMENT_ONE_SIDED), Result.CUTS_THROUGH_THE_END)
-	assert_eq(model.result_in(Field.SEGMENT_TWO_SIDED), Result.CUTS_THROUGH_THE_END)
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.BOUNCES_ON_THE_END)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.INFINITE_ONE_SIDED), LineEndsModel.Result.PASSES_THROUGH
+	)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.INFINITE_TWO_SIDED),
+		LineEndsModel.Result.BOUNCES_IN_THE_AIR
+	)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.SEGMENT_ONE_SIDED),
+		LineEndsModel.Result.CUTS_THROUGH_THE_END
+	)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.SEGMENT_TWO_SIDED),
+		LineEndsModel.Result.CUTS_THROUGH_THE_END
+	)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.BOUNCES_ON_THE_END
+	)
 
 
 func test_a_shot_at_the_middle_from_behind_passes_only_one_sided_lines() -> void:
 	var model := _model("Middle")
-	assert_eq(model.result_in(Field.INFINITE_ONE_SIDED), Result.PASSES_THROUGH)
-	assert_eq(model.result_in(Field.SEGMENT_ONE_SIDED), Result.PASSES_THROUGH)
-	assert_eq(model.result_in(Field.SEGMENT_TWO_SIDED), Result.BOUNCES)
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.BOUNCES)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.INFINITE_ONE_SIDED), LineEndsModel.Result.PASSES_THROUGH
+	)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.SEGMENT_ONE_SIDED), LineEndsModel.Result.PASSES_THROUGH
+	)
+	assert_eq(model.result_in(LineEndsModel.Field.SEGMENT_TWO_SIDED), LineEndsModel.Result.BOUNCES)
+	assert_eq(model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.BOUNCES)
 
 
 func test_a_shot_at_the_middle_from_the_good_side_bounces_on_every_line() -> void:
 	var model := _model("Middle")
 	model.start = Vec2.new(-4, 14)
 	model.motion = Vec2.new(8, -16)
-	for field: Field in Field.values():
-		assert_eq(model.result_in(field), Result.BOUNCES)
+	for field: LineEndsModel.Field in LineEndsModel.Field.values():
+		assert_eq(model.result_in(field), LineEndsModel.Result.BOUNCES)
 
 
 func test_a_near_miss_passes_beside_every_segment() -> void:
 	var model := _model("Miss")
-	assert_eq(model.result_in(Field.SEGMENT_ONE_SIDED), Result.PASSES_BESIDE)
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.PASSES_BESIDE)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.SEGMENT_ONE_SIDED), LineEndsModel.Result.PASSES_BESIDE
+	)
+	assert_eq(model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.PASSES_BESIDE)
 	assert_lt(model.cap_equation().discriminant(), 0.0)
 
 
 func test_misses_are_told_apart() -> void:
 	var model := _model("Middle")
 	model.motion = Vec2.zero()
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.RESTS)
+	assert_eq(model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.RESTS)
 	model.motion = Vec2.new(0, -5)
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.MOVES_AWAY)
+	assert_eq(model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.MOVES_AWAY)
 	model.motion = Vec2.new(5, 0)
-	assert_eq(model.result_in(Field.INFINITE_TWO_SIDED), Result.MOVES_ALONG)
+	assert_eq(
+		model.result_in(LineEndsModel.Field.INFINITE_TWO_SIDED), LineEndsModel.Result.MOVES_ALONG
+	)
 	model.motion = Vec2.new(0, 2)
-	assert_eq(model.result_in(Field.ROUND_CAPS), Result.FALLS_SHORT)
+	assert_eq(model.result_in(LineEndsModel.Field.ROUND_CAPS), LineEndsModel.Result.FALLS_SHORT)
 
 
 func test_the_parts_of_the_quadratic_are_those_of_the_worked_example() -> void:
@@ -71,7 +89,9 @@ func test_at_both_roots_the_ball_is_as_far_from_the_end_as_its_radius() -> void:
 
 func test_the_equation_and_the_impact_agree_on_the_time() -> void:
 	var model := LineEndsModel.new()
-	assert_eq(model.cap_equation().first_root(), model.impact_in(Field.ROUND_CAPS).time)
+	assert_eq(
+		model.cap_equation().first_root(), model.impact_in(LineEndsModel.Field.ROUND_CAPS).time
+	)
 
 
 func test_the_exact_time_at_an_end_differs_by_rounding_only() -> void:
@@ -106,7 +126,7 @@ func test_the_exact_time_at_an_infinite_line_is_that_of_the_slide() -> void:
 
 
 func test_a_flight_can_be_asked_for_any_time_in_any_order() -> void:
-	var flight := LineEndsModel.new().flight_in(Field.ROUND_CAPS)
+	var flight := LineEndsModel.new().flight_in(LineEndsModel.Field.ROUND_CAPS)
 	assert_vec2(flight.position_at(1.0), Vec2.new(-11.52, -0.64), 1e-13)
 	assert_vec2(flight.position_at(0.25), Vec2.new(-4.5, -4), 0.0)
 	assert_vec2(flight.position_at(0.5), Vec2.new(-3, 0), 0.0)
@@ -115,7 +135,7 @@ func test_a_flight_can_be_asked_for_any_time_in_any_order() -> void:
 
 func test_a_bounce_keeps_the_speed() -> void:
 	var model := LineEndsModel.new()
-	for field: Field in Field.values():
+	for field: LineEndsModel.Field in LineEndsModel.Field.values():
 		var after := model.flight_in(field).motion_after()
 		assert_almost_eq(after.length(), model.motion.length(), 1e-13)
 
@@ -125,7 +145,7 @@ func test_a_flight_never_enters_the_capsule() -> void:
 	var model := LineEndsModel.new()
 	for motion: Vec2 in random_vectors(93, 200, 30.0):
 		model.motion = motion
-		var flight := model.flight_in(Field.ROUND_CAPS)
+		var flight := model.flight_in(LineEndsModel.Field.ROUND_CAPS)
 		for share: int in 51:
 			var centre := flight.position_at(share / 50.0)
 			var distance := centre.distance_to(model.segment.closest_point(centre))
