@@ -67,5 +67,16 @@ lesson_ids() {
 
 has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
-# engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none.
-engine_messages() { grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" || true; }
+# The Godot of Debian's packages brings its own drivers.
+use_drivers_beside_godot() {
+	local drivers
+	drivers=$(dirname "$godot")/../root/usr/lib/x86_64-linux-gnu/dri
+	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
+}
+
+# engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none. Two say nothing about
+# the project: the software renderer has no V-Sync, and a deleted .uid file is made again.
+engine_messages() {
+	grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" |
+		grep -v -e 'Could not set V-Sync mode' -e 'Missing .uid file' || true
+}

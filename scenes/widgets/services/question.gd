@@ -30,6 +30,7 @@ func show_exercise(exercise: Exercise) -> void:
 	_prompt.text = exercise.prompt
 	_verdict.text = ""
 	_show.disabled = true
+	_show.visible = board_wanted.has_connections()
 	for child in _answers.get_children():
 		child.queue_free()
 	_fields.clear()
