@@ -183,7 +183,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.settle()
 	await student.enter(field("d · n̂ ="), "123456")
 	assert_reads("not it yet")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	assert_ne(_line(), PackedFloat64Array([200, 150, -200, -150]))
 	await student.enter(field("d · n̂ ="), _typed_distance())
 	assert_reads("Right: ")

@@ -178,7 +178,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.settle()
 	await student.enter(field("t ="), "123456")
 	assert_reads("not it yet")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	var model := PointOfImpactModel.new()
 	model.from_dictionary(frame().lesson.state())
 	await student.enter(field("t ="), str(snappedf(model.share(), 0.01)))
