@@ -101,6 +101,7 @@ func _store() -> void:
 	var now := lesson.state()
 	if now == _last_state:
 		return
+	_show_notice("")
 	_history.create_action("edit")
 	_history.add_do_method(_show_state.bind(now))
 	_history.add_undo_method(_show_state.bind(_last_state))
