@@ -19,6 +19,8 @@ static func open_start_screen(tree: SceneTree) -> void:
 
 
 static func _change_scene(tree: SceneTree, scene: Node) -> void:
+	# What is being typed is taken, or refused, while its scene is still there.
+	tree.root.gui_release_focus()
 	if tree.current_scene:
 		tree.current_scene.free()
 	tree.root.add_child(scene)
