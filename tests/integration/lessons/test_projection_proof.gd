@@ -133,7 +133,7 @@ func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
-	var question := frame().lesson.services[&"question"] as Question
+	var question := frame().lesson.services[&"question"] as FoldableContainer
 	question.folded = false
 	await student.settle()
 	var field := Screen.named(question, "a′.x =") as LineEdit
@@ -203,7 +203,7 @@ func _share() -> float:
 
 
 # The first or second pair of numbers in the question.
-func _vector_in_prompt(question: Question, index: int) -> Vec2:
+func _vector_in_prompt(question: FoldableContainer, index: int) -> Vec2:
 	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
 	var pair := RegEx.create_from_string("\\((-?\\d+), (-?\\d+)\\)").search_all(prompt)[index]
 	return Vec2.new(pair.get_string(1).to_float(), pair.get_string(2).to_float())
