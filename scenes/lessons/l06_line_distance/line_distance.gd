@@ -206,6 +206,8 @@ func _show_model() -> void:
 		Palette.Role.RIGHT if is_good else Palette.Role.WRONG,
 		LineDistanceTexts.verdict(_model)
 	)
+	var ball_pixel := to_screen(_model.ball.position)
+	_verdict.keep_off([ball_pixel], _model.ball.radius * pixels_per_unit)
 	_show_readout()
 
 

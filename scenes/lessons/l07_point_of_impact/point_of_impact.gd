@@ -225,6 +225,10 @@ func _show_model() -> void:
 		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,
 		PointOfImpactTexts.verdict(_model)
 	)
+	var places: PackedVector2Array = [
+		to_screen(_model.old_position), to_screen(_model.new_position)
+	]
+	_verdict.keep_off(places, _model.radius * pixels_per_unit)
 	_show_readout()
 
 
