@@ -29,7 +29,9 @@ func lay(from: Vec2, to: Vec2, side: Vec2) -> void:
 
 ## Pixels that the label takes up beside the line.
 func label_room() -> float:
-	var extent := ThemeDB.fallback_font.get_string_size(label, 0, -1, _FONT_SIZE)
+	var extent := ThemeDB.fallback_font.get_string_size(
+		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
+	)
 	return absf(_side.x) * extent.x + absf(_side.y) * _FONT_SIZE + 16.0
 
 
@@ -59,7 +61,9 @@ func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
 
 
 func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
-	var extent := ThemeDB.fallback_font.get_string_size(label, 0, -1, _FONT_SIZE)
+	var extent := ThemeDB.fallback_font.get_string_size(
+		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
+	)
 	var reach := label_room() / 2.0
 	var room := Rect2(Vector2.ZERO, board.size).grow_individual(
 		-extent.x / 2.0 - 6.0, -18.0, -extent.x / 2.0 - 6.0, -18.0

@@ -84,6 +84,19 @@ func test_every_number_can_be_typed() -> void:
 	assert_eq(_share(), -0.5)
 
 
+# Any error in the log fails the test.
+func test_the_largest_numbers_are_taken_and_drawn_without_an_error() -> void:
+	for title: String in [
+		"radius of the ball",
+		"x of the ball's centre",
+		"place of p: 0 at the start, 1 at the end",
+		"y of the line's end"
+	]:
+		await student.enter(field(title), "1e100")
+	assert_eq(_ball(), PackedFloat64Array([1e100, -35, 1e100]))
+	assert_eq(_share(), 1e100)
+
+
 func test_a_radius_below_0_is_refused_with_a_sentence() -> void:
 	await student.enter(field("radius of the ball"), "-4")
 	assert_reads("radius must be above 0")
