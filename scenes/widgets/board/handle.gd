@@ -14,7 +14,7 @@ signal released
 ## Every handle in the tree is in this group.
 const GROUP := &"handles"
 
-## Side of the square that takes the touch, in pixels of the drawing: 45 in a window of 800x600.
+## Side of the square that takes the touch, in pixels of the drawing: 45 of the window at 800x600.
 const TOUCH_SIZE := 54.0
 
 const _NUDGES: Dictionary[StringName, Vector2] = {
