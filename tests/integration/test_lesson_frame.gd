@@ -33,14 +33,14 @@ func test_the_back_button_leads_to_the_start_screen() -> void:
 	assert_eq(screen().scene_file_path, START_SCREEN)
 
 
-func test_going_back_and_forth_leaves_no_node_and_no_object_behind() -> void:
+func test_going_back_and_forth_leaves_no_node_and_no_resource_behind() -> void:
 	await _go_back_and_forth()
 	var nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
-	var objects := Performance.get_monitor(Performance.OBJECT_COUNT)
+	var resources := Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT)
 	for round_trip: int in 3:
 		await _go_back_and_forth()
 	assert_eq(Performance.get_monitor(Performance.OBJECT_NODE_COUNT), nodes)
-	assert_eq(Performance.get_monitor(Performance.OBJECT_COUNT), objects)
+	assert_eq(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT), resources)
 	assert_eq(Node.get_orphan_node_ids(), [] as Array[int])
 
 

@@ -30,13 +30,15 @@ func measure(corner: Vec2, first: Vec2, second: Vec2) -> void:
 
 func _draw() -> void:
 	var corner := board.to_screen(_corner)
+	var start := _start * board.y_sign()
+	var sweep := _sweep * board.y_sign()
 	var ink := Palette.color(Palette.Role.INK)
 	if absf(absf(Vec2.rad_to_deg(_sweep)) - 90.0) <= right_within:
-		_draw_square(corner, ink)
+		_draw_square(corner, start, sweep, ink)
 	else:
-		draw_arc(corner, radius, _start, _start + _sweep, 48, ink, 2.0, true)
+		draw_arc(corner, radius, start, start + sweep, 48, ink, 2.0, true)
 	if shows_value:
-		_draw_value(corner, Vector2.from_angle(_start + _sweep / 2.0), ink)
+		_draw_value(corner, Vector2.from_angle(start + sweep / 2.0), ink)
 
 
 # Beside the arc, so far outside that a long text does not cross it.
@@ -52,9 +54,9 @@ func _value_text() -> String:
 	return label + NumberText.short(degrees if is_signed else absf(degrees), 3) + "°"
 
 
-func _draw_square(corner: Vector2, ink: Color) -> void:
+func _draw_square(corner: Vector2, start: float, sweep: float, ink: Color) -> void:
 	var side := radius * 0.45
-	var along := Vector2.from_angle(_start) * side
-	var across := Vector2.from_angle(_start + _sweep) * side
+	var along := Vector2.from_angle(start) * side
+	var across := Vector2.from_angle(start + sweep) * side
 	var points := PackedVector2Array([corner + along, corner + along + across, corner + across])
 	draw_polyline(points, ink, 2.0, true)

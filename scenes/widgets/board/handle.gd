@@ -11,7 +11,10 @@ signal moved(point: Vec2)
 ## A drag or nudge has ended.
 signal released
 
-## Side of the square that takes the touch, in pixels of the drawing: 45 in a window of 800x600.
+## Every handle in the tree is in this group.
+const GROUP := &"handles"
+
+## Side of the square that takes the touch, in pixels of the drawing: 45 of the window at 800x600.
 const TOUCH_SIZE := 54.0
 
 const _NUDGES: Dictionary[StringName, Vector2] = {
@@ -43,9 +46,14 @@ var _grip := Vec2.new()
 func _ready() -> void:
 	size = Vector2(TOUCH_SIZE, TOUCH_SIZE)
 	focus_mode = Control.FOCUS_ALL
+	# Other buttons than the left one are for the board.
+	mouse_filter = Control.MOUSE_FILTER_PASS
 	mouse_default_cursor_shape = Control.CURSOR_MOVE
 	_board = _board_above()
 	_board.view_changed.connect(_follow_view)
+	_board.focus_mode = Control.FOCUS_ALL
+	add_to_group(GROUP)
+	focus_entered.connect(_tie_focus)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
 	mouse_entered.connect(_hover.bind(true))
@@ -56,6 +64,11 @@ func _ready() -> void:
 func place(point: Vec2) -> void:
 	_point = point.copy()
 	_follow_view()
+
+
+## Whether this is the board that the handle lies on.
+func is_on(board: Board) -> bool:
+	return board == _board
 
 
 func _draw() -> void:
@@ -114,6 +127,17 @@ func _nudge(event: InputEvent) -> void:
 func _hover(is_hovered: bool) -> void:
 	_is_hovered = is_hovered
 	queue_redraw()
+
+
+# The engine's own order of the Tab key loses its way below Node2D parts.
+func _tie_focus() -> void:
+	var all := _board.handles()
+	var here := all.find(self)
+	var is_last := here == all.size() - 1
+	var next: Control = _board.find_next_valid_focus() if is_last else all[here + 1]
+	var previous: Control = _board.find_prev_valid_focus() if here == 0 else all[here - 1]
+	focus_next = get_path_to(next)
+	focus_previous = get_path_to(previous)
 
 
 func _follow_view() -> void:

@@ -13,4 +13,13 @@ func show_verdict(sign_text: String, role: Palette.Role, words: PackedStringArra
 	_sign.text = sign_text
 	_ball.self_modulate = Palette.color(role)
 	_words.text = "\n".join(words)
-	reset_size()
+	_shrink()
+
+
+# Makes the card as small as its words allow; it grows to where its anchors let it.
+func _shrink() -> void:
+	offset_right = offset_left
+	if grow_vertical == GROW_DIRECTION_BEGIN:
+		offset_top = offset_bottom
+	else:
+		offset_bottom = offset_top

@@ -28,7 +28,7 @@ func test_the_second_step_turns_the_drawing() -> void:
 	await _go_to_first_step()
 	await student.press(&"lab_step")
 	var shares: Array[float] = []
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		shares.append(_share())
 		if _share() == 1.0:
 			break
@@ -68,7 +68,7 @@ func test_the_graph_turns_the_drawing_and_step_back_is_exact() -> void:
 func test_play_turns_from_the_start_and_stops_at_the_end() -> void:
 	await click_button("Play or pause")
 	assert_lt(_share(), 1.0)
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		if _share() == 1.0:
 			break
 		await get_tree().process_frame
@@ -155,7 +155,7 @@ func _go_to_first_step() -> void:
 
 
 func _finish_turning() -> void:
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		if not frame().lesson.is_processing():
 			break
 		await get_tree().process_frame

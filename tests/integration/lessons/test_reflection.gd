@@ -40,7 +40,7 @@ func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
 func test_play_flies_the_ball_and_stops_at_the_end() -> void:
 	await click_button("Play or pause")
 	var transport := frame().lesson.services[&"transport"] as Transport
-	for frame: int in 1200:
+	for wait: int in 1200:
 		if not transport.is_playing:
 			break
 		await get_tree().process_frame
