@@ -71,6 +71,11 @@ func is_on(board: Board) -> bool:
 	return board == _board
 
 
+## Whether the handle takes what is at [param pixel] of the whole screen.
+func covers(pixel: Vector2) -> bool:
+	return get_global_rect().has_point(pixel)
+
+
 func _draw() -> void:
 	var middle := size / 2.0
 	var color := Palette.color(role)
@@ -118,6 +123,7 @@ func _nudge(event: InputEvent) -> void:
 		if event.is_action_pressed(action, true):
 			var step := Vec2.from_vector2(_NUDGES[action])
 			var modified := event as InputEventWithModifiers
+			step.y *= _board.y_sign()
 			step.scale(_board.step_length() * (0.1 if modified and modified.shift_pressed else 1.0))
 			moved.emit(_point.plus(step))
 			released.emit()
