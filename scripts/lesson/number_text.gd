@@ -10,7 +10,8 @@ const LARGEST := 1e100
 
 
 ## [param value] with at most [param digits] significant digits, or as many as stand before the
-## point, and no trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as `3e15`. NaN and infinity by name.
+## point, and no trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as `3e15`.
+## NaN and infinity by name.
 static func short(value: float, digits: int = 4) -> String:
 	if is_nan(value):
 		return "NaN"
