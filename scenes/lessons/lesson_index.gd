@@ -7,6 +7,7 @@ const FOLDERS: PackedStringArray = [
 	"l01_class_or_value",
 	"l04_dot_product",
 	"l10_line_ends",
+	"l11_more_dimensions",
 ]
 
 
