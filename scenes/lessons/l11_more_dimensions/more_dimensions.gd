@@ -16,6 +16,8 @@ var _step := MoreDimensionsTexts.Step.size() - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: ComponentExercise
 var _exercise_kind := ComponentExercise.Kind.DOT
+# The vector as it was when the drag of its head began; empty while there is none.
+var _held: PackedFloat64Array = []
 # Why the last change could not be taken; "" where it could.
 var _refusal := ""
 
@@ -79,12 +81,15 @@ func _connect_panel() -> void:
 # What the student does.
 
 
-# Heads in space keep to whole numbers: between them, depth could not be told by eye.
-func _move_head(letter: String, step: Vec2) -> void:
-	var in_space := _model.view.step_in_space(step)
+# Heads in space keep to whole numbers: between them, depth could not be told by eye. The way counts
+# from where the drag began, or rounding would eat up its small steps.
+func _move_head(letter: String, point: Vec2) -> void:
+	if _held.is_empty():
+		_held = (_model.a if letter == "a" else _model.b).duplicate()
+	var way := point.minus(_model.view.seen_at(_held[0], _held[1], _held[2]))
+	var in_space := _model.view.step_in_space(way)
 	for i in 3:
-		var old := _model.a[i] if letter == "a" else _model.b[i]
-		_refusal = _model.set_component(letter, i, roundf(old + in_space[i]))
+		_refusal = _model.set_component(letter, i, roundf(_held[i] + in_space[i]))
 	_show_model()
 
 
@@ -139,6 +144,7 @@ func _finish() -> void:
 	edited.emit()
 	noticed.emit(_refusal)
 	_refusal = ""
+	_held = []
 
 
 # What the student sees.

@@ -29,7 +29,8 @@ static func lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
 		found.append("{a} · {b} {sign} 0:  " + sign_words(model))
 	if step >= Step.ANGLE:
 		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
-		found.append("cos α = {dot} / (|{a}| |{b}|) = {cosine}     α = {angle}°")
+		found.append("cos α = {dot} / (|{a}| |{b}|) = {cosine}")
+		found.append("α = {angle}°")
 	return found
 
 
@@ -40,7 +41,9 @@ static func sign_words(model: MoreDimensionsModel) -> String:
 			return _translate("the angle is above 90°")
 		MoreDimensionsModel.Side.ACUTE:
 			return _translate("the angle is below 90°")
-	return _translate("a right angle, or a zero vector")
+	if model.exact_cosine() == null:
+		return _translate("a zero vector makes no angle")
+	return _translate("a right angle")
 
 
 ## The sign of the comparison with 0.

@@ -3,8 +3,8 @@ extends Board
 ## Both vectors in space: heads that can be dragged in the plane of the picture, axes that turn with
 ## a drag on the empty board.
 
-## The student moves the head of a vector, `a` or `b`, by a step parallel to the picture.
-signal head_moved(letter: String, step: Vec2)
+## The student wants the head of a vector, `a` or `b`, to be seen at [param point] of the picture.
+signal head_moved(letter: String, point: Vec2)
 ## The student turns the view by these angles, in radians.
 signal turned(yaw: float, pitch: float)
 ## A drag or nudge of a head has ended.
@@ -31,8 +31,8 @@ func _ready() -> void:
 	super()
 	_head_of_a.title = tr("Head of %s") % "a"
 	_head_of_b.title = tr("Head of %s") % "b"
-	_head_of_a.moved.connect(_move.bind("a"))
-	_head_of_b.moved.connect(_move.bind("b"))
+	_head_of_a.moved.connect(func(point: Vec2) -> void: head_moved.emit("a", point))
+	_head_of_b.moved.connect(func(point: Vec2) -> void: head_moved.emit("b", point))
 	_head_of_a.released.connect(head_released.emit)
 	_head_of_b.released.connect(head_released.emit)
 	pointed.connect(_turn)
@@ -80,16 +80,6 @@ func _lay(
 
 func _fit() -> void:
 	fit([Vec2.new(_reach * 1.3, _reach * 1.3)] as Array[Vec2])
-
-
-func _move(point: Vec2, letter: String) -> void:
-	var arrow_head := _seen_head(letter)
-	head_moved.emit(letter, point.minus(arrow_head))
-
-
-func _seen_head(letter: String) -> Vec2:
-	var handle := _head_of_a if letter == "a" else _head_of_b
-	return to_plane(handle.position + handle.size / 2.0)
 
 
 func _turn(at: Vec2, _button: MouseButton) -> void:
