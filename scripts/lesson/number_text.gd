@@ -33,6 +33,11 @@ static func pair(x: float, y: float, digits: int = 4) -> String:
 	return "(%s, %s)" % [short(x, digits), short(y, digits)]
 
 
+## [param value] with all the digits that tell it from the next double: `5.000000000000001`.
+static func all_digits(value: float) -> String:
+	return String.num_scientific(value).replace("-", MINUS)
+
+
 ## A size that needs no sign and no more than two digits, such as an error: `0`, `8.9e-16`.
 static func size(value: float) -> String:
 	return short(absf(value), 2)

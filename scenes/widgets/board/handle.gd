@@ -71,6 +71,11 @@ func is_on(board: Board) -> bool:
 	return board == _board
 
 
+## Whether the handle takes what is at [param pixel] of the whole screen.
+func covers(pixel: Vector2) -> bool:
+	return get_global_rect().has_point(pixel)
+
+
 func _draw() -> void:
 	var middle := size / 2.0
 	var color := Palette.color(role)
@@ -118,6 +123,7 @@ func _nudge(event: InputEvent) -> void:
 		if event.is_action_pressed(action, true):
 			var step := Vec2.from_vector2(_NUDGES[action])
 			var modified := event as InputEventWithModifiers
+			step.y *= _board.y_sign()
 			step.scale(_board.step_length() * (0.1 if modified and modified.shift_pressed else 1.0))
 			moved.emit(_point.plus(step))
 			released.emit()
@@ -132,10 +138,10 @@ func _hover(is_hovered: bool) -> void:
 # The engine's own order of the Tab key loses its way below Node2D parts.
 func _tie_focus() -> void:
 	var all := _board.handles()
-	var place := all.find(self)
-	var is_last := place == all.size() - 1
-	var next: Control = _board.find_next_valid_focus() if is_last else all[place + 1]
-	var previous: Control = _board.find_prev_valid_focus() if place == 0 else all[place - 1]
+	var here := all.find(self)
+	var is_last := here == all.size() - 1
+	var next: Control = _board.find_next_valid_focus() if is_last else all[here + 1]
+	var previous: Control = _board.find_prev_valid_focus() if here == 0 else all[here - 1]
 	focus_next = get_path_to(next)
 	focus_previous = get_path_to(previous)
 
