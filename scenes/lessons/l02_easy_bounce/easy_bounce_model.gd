@@ -14,7 +14,7 @@ const HALF_LENGTH := 160.0
 ## So many frames are shown before frame 0, unless the ball would overlap there already.
 const FRAMES_BEFORE := 4
 ## So many frames are shown after frame 0.
-const FRAMES_AFTER := 5
+const FRAMES_AFTER := 4
 
 ## The ball in frame 0, after its move; pixels, and pixels per frame.
 var ball := Ball.new(Vec2.new(0.0, 4.0), 60.0, Vec2.new(20.0, 48.0))

@@ -92,6 +92,16 @@ func test_every_number_can_be_typed() -> void:
 	assert_eq(_tilt(), -12.5)
 
 
+func test_huge_and_tiny_numbers_leave_finite_results() -> void:
+	await click_button("30°")
+	await student.enter(field("x of the ball"), "1e99")
+	await student.enter(field("y of v"), "-1e99")
+	await student.enter(field("x of v"), "1e-99")
+	for row: int in [1, 2, 3, 4]:
+		var text := readout_text(row, 1) + readout_text(row, 2)
+		assert_false(text.contains("NaN") or text.contains("∞"), text)
+
+
 func test_a_tilt_that_is_too_steep_is_refused_and_the_old_one_stays() -> void:
 	await student.enter(field("Tilt of the line in degrees"), "80")
 	assert_reads("The tilt must be within −45 and 45°, not 80°.")

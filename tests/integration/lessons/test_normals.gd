@@ -81,6 +81,15 @@ func test_every_number_can_be_typed() -> void:
 	assert_has(formula_lines(), "-5 · n̂ = (−4, −3)")
 
 
+func test_huge_and_tiny_vectors_have_a_unit_normal() -> void:
+	await student.enter(field("x of v"), "3e99")
+	await student.enter(field("y of v"), "-4e99")
+	assert_eq(readout_text(1, 1), "(0.8, 0.6)")
+	await student.enter(field("x of v"), "3e-99")
+	await student.enter(field("y of v"), "-4e-99")
+	assert_eq(readout_text(1, 1), "(0.8, 0.6)")
+
+
 func test_the_steps_build_the_drawing_up() -> void:
 	var parts: Array[String] = ["%Normal", "%Opposite", "%Unit", "%Scaled"]
 	for shown: int in [3, 2, 1, 0]:

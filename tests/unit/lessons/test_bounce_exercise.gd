@@ -31,14 +31,14 @@ func test_the_shortest_distance_is_the_straight_one_times_the_cosine() -> void:
 func test_no_fresh_question_has_a_mistake_that_is_right() -> void:
 	for kind: BounceExercise.Kind in BounceExercise.Kind.values():
 		for exercise in _fresh(kind):
-			for mistake: Exercise.Mistake in exercise.mistakes:
+			for mistake in exercise.mistakes:
 				assert_false(exercise.check(mistake.answer).is_right, exercise.prompt)
 
 
 func test_no_two_mistakes_lead_to_the_same_answer() -> void:
 	for kind: BounceExercise.Kind in BounceExercise.Kind.values():
 		for exercise in _fresh(kind):
-			for mistake: Exercise.Mistake in exercise.mistakes:
+			for mistake in exercise.mistakes:
 				assert_eq(
 					exercise.check(mistake.answer).sentence, mistake.sentence, exercise.prompt
 				)
@@ -69,6 +69,15 @@ func test_shown_on_the_board_the_ball_is_put_back_to_the_answer() -> void:
 	var exercise := _exercise(BounceExercise.Kind.PUT_BACK)
 	exercise.set_up(model)
 	assert_true(exercise.check([model.easy_result(model.ball).position.y]).is_right)
+
+
+func test_shown_on_the_board_the_ball_bounces_as_answered() -> void:
+	var model := EasyBounceModel.new()
+	model.ball.position = Vec2.new(500.0, -500.0)
+	var exercise := _exercise(BounceExercise.Kind.FLIP)
+	exercise.set_up(model)
+	var after := model.easy_result(model.ball).velocity.scaled(0.25)
+	assert_true(exercise.check([after.x, after.y]).is_right)
 
 
 func _exercise(kind: BounceExercise.Kind) -> BounceExercise:

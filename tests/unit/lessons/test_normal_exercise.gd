@@ -50,7 +50,7 @@ func test_fresh_answers_are_short_decimals() -> void:
 func test_no_fresh_question_has_a_mistake_that_is_right_or_named_as_another() -> void:
 	for kind: NormalExercise.Kind in NormalExercise.Kind.values():
 		for exercise in _fresh(kind):
-			for mistake: Exercise.Mistake in exercise.mistakes:
+			for mistake in exercise.mistakes:
 				assert_false(exercise.check(mistake.answer).is_right, exercise.prompt)
 				assert_eq(
 					exercise.check(mistake.answer).sentence, mistake.sentence, exercise.prompt
