@@ -20,12 +20,9 @@ var _step := _STEP_COUNT - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: LineDistanceExercise
 var _exercise_kind := LineDistanceExercise.Kind.DISTANCE
-# Run times of both ways; measured between drags, which they would slow down.
-var _nanoseconds: Dictionary[String, float] = {}
-
 var _steps: Steps
 var _formula: LineDistanceFormula
-var _readout: Readout
+var _results: LineDistanceResults
 var _options: LessonOptions
 var _mistakes: Mistakes
 var _question: Question
@@ -58,7 +55,7 @@ func show_state(stored: Dictionary) -> void:
 
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
+	_results = LineDistanceResults.new(services[&"readout"] as Readout)
 	_options = services[&"options"] as LessonOptions
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question
@@ -189,9 +186,19 @@ func _finish() -> void:
 
 func _show_all() -> void:
 	var corner := _model.from().plus(_model.ball.position.minus(_model.foot()))
-	fit([_model.line.start, _model.line.end, _model.from(), _model.ball.position, corner])
-	_nanoseconds["from_p"] = CallTimer.nanoseconds(_model.distance)
-	_nanoseconds["from_start"] = CallTimer.nanoseconds(_model.distance_from_start)
+	var centre := _model.ball.position
+	var half_radius := Vec2.new(_model.ball.radius / 2.0, _model.ball.radius / 2.0)
+	fit(
+		[
+			_model.line.start,
+			_model.line.end,
+			_model.from(),
+			corner,
+			centre.minus(half_radius),
+			centre.plus(half_radius)
+		]
+	)
+	_results.measure(_model)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()
 
@@ -206,14 +213,6 @@ func _show_model() -> void:
 		Palette.Role.RIGHT if is_good else Palette.Role.WRONG,
 		LineDistanceTexts.verdict(_model)
 	)
-	_show_readout()
-
-
-func _show_readout() -> void:
-	_show_way("from_p", tr("from p"), _model.distance())
-	_show_way("from_start", tr("from the start"), _model.distance_from_start())
-
-
-func _show_way(key: String, title: String, value: float) -> void:
-	var error := ExactLineDistance.error_of(value, _model.ball.position, _model.line)
-	_readout.show_result(key, title, value, error, _nanoseconds[key])
+	var ball_pixel := to_screen(_model.ball.position)
+	_verdict.keep_off([ball_pixel], _model.ball.radius * pixels_per_unit)
+	_results.show_model(_model)

@@ -8,6 +8,11 @@ func before_each() -> void:
 	await open_lesson(LessonIndex.find(&"reflection"))
 
 
+func after_each() -> void:
+	Engine.time_scale = 1.0
+	await super()
+
+
 func test_it_starts_with_the_reflection_of_the_lecture() -> void:
 	_assert_numbers("velocity", [3, 4])
 	assert_has(_lines(), "v − (1 + C)(v · n) n = (3, −4)")
@@ -40,7 +45,8 @@ func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
 func test_play_flies_the_ball_and_stops_at_the_end() -> void:
 	await click_button("Play or pause")
 	var transport := frame().lesson.services[&"transport"] as Transport
-	for frame: int in 1200:
+	Engine.time_scale = 20.0
+	for wait: int in 3000:
 		if not transport.is_playing:
 			break
 		await get_tree().process_frame
@@ -170,7 +176,7 @@ func test_reset_brings_the_lecture_back() -> void:
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
-	var question := frame().lesson.services[&"question"] as Question
+	var question := frame().lesson.services[&"question"] as FoldableContainer
 	question.folded = false
 	await student.settle()
 	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
@@ -178,13 +184,13 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	var velocity := Vec2.new(pairs[0].get_string(1).to_float(), pairs[0].get_string(2).to_float())
 	await _answer(question, velocity.negated())
 	assert_reads("turns the ball back on its way")
-	await click_button("Show on board")
+	await student.click(question.get_node("%Show") as Control)
 	assert_vec2(_model().velocity, velocity, 0.0)
 	await _answer(question, _model().reflected())
 	assert_reads("Right:")
 
 
-func _answer(question: Question, answer: Vec2) -> void:
+func _answer(question: FoldableContainer, answer: Vec2) -> void:
 	await student.enter(Screen.named(question, "x =") as LineEdit, "%.3f" % answer.x)
 	await student.enter(Screen.named(question, "y =") as LineEdit, "%.3f" % answer.y)
 
