@@ -13,6 +13,7 @@ const FOLDERS: PackedStringArray = [
 	"l07_point_of_impact",
 	"l08_reflection",
 	"l10_line_ends",
+	"l11_more_dimensions",
 ]
 
 

@@ -60,10 +60,10 @@ func set_up(model: EasyBounceModel) -> void:
 				Vec2.new(0.0, _floor_y - _radius / 2.0), _radius, model.ball.velocity
 			)
 		Kind.FLIP:
-			model.ball.velocity = _velocity.scaled(4.0)
+			model.ball = Ball.new(Vec2.new(0.0, -36.0), 60.0, _velocity.scaled(4.0))
 		Kind.SHORTEST:
 			model.tilt_degrees = Vec2.rad_to_deg(atan2(_slope.y, _slope.x))
-			model.ball.position = Vec2.new(0.0, -_straight)
+			model.ball = Ball.new(Vec2.new(0.0, -_straight), 60.0, model.ball.velocity)
 
 
 func _ask_put_back() -> void:

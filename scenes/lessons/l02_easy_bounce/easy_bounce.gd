@@ -198,7 +198,8 @@ func _finish() -> void:
 
 func _show_all() -> void:
 	var ball := _model.ball
-	fit([_view_corner(), ball.position, ball.position.plus(ball.velocity), _model.pivot])
+	var line := _model.line()
+	fit([_view_corner(), ball.position, ball.position.plus(ball.velocity), line.start, line.end])
 	_options.show_switch("is_wall", _model.is_wall)
 	_show_model()
 
@@ -206,7 +207,7 @@ func _show_all() -> void:
 # The whole bounce needs more room than what happens in one frame.
 func _view_corner() -> Vec2:
 	if _step == EasyBounceTexts.Step.BOUNCE:
-		return Vec2.new(200.0, 200.0)
+		return Vec2.new(200.0, 220.0)
 	return Vec2.new(EasyBounceModel.HALF_LENGTH, 120.0)
 
 

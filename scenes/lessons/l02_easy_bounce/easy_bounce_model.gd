@@ -10,11 +10,11 @@ extends RefCounted
 ## The line is never tilted further than this, to either side, in degrees.
 const STEEPEST := 45.0
 ## Pixels from the middle of the drawn line to its ends; collisions take it as infinite.
-const HALF_LENGTH := 150.0
+const HALF_LENGTH := 160.0
 ## So many frames are shown before frame 0, unless the ball would overlap there already.
 const FRAMES_BEFORE := 4
 ## So many frames are shown after frame 0.
-const FRAMES_AFTER := 5
+const FRAMES_AFTER := 4
 
 ## The ball in frame 0, after its move; pixels, and pixels per frame.
 var ball := Ball.new(Vec2.new(0.0, 4.0), 60.0, Vec2.new(20.0, 48.0))

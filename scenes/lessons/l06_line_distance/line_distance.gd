@@ -20,12 +20,9 @@ var _step := _STEP_COUNT - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: LineDistanceExercise
 var _exercise_kind := LineDistanceExercise.Kind.DISTANCE
-# Run times of both ways; measured between drags, which they would slow down.
-var _nanoseconds: Dictionary[String, float] = {}
-
 var _steps: Steps
 var _formula: LineDistanceFormula
-var _readout: Readout
+var _results: LineDistanceResults
 var _options: LessonOptions
 var _mistakes: Mistakes
 var _question: Question
@@ -58,7 +55,7 @@ func show_state(stored: Dictionary) -> void:
 
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
+	_results = LineDistanceResults.new(services[&"readout"] as Readout)
 	_options = services[&"options"] as LessonOptions
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question
@@ -201,8 +198,7 @@ func _show_all() -> void:
 			centre.plus(half_radius)
 		]
 	)
-	_nanoseconds["from_p"] = CallTimer.nanoseconds(_model.distance)
-	_nanoseconds["from_start"] = CallTimer.nanoseconds(_model.distance_from_start)
+	_results.measure(_model)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()
 
@@ -219,14 +215,4 @@ func _show_model() -> void:
 	)
 	var ball_pixel := to_screen(_model.ball.position)
 	_verdict.keep_off([ball_pixel], _model.ball.radius * pixels_per_unit)
-	_show_readout()
-
-
-func _show_readout() -> void:
-	_show_way("from_p", tr("from p"), _model.distance())
-	_show_way("from_start", tr("from the start"), _model.distance_from_start())
-
-
-func _show_way(key: String, title: String, value: float) -> void:
-	var error := ExactLineDistance.error_of(value, _model.ball.position, _model.line)
-	_readout.show_result(key, title, value, error, _nanoseconds[key])
+	_results.show_model(_model)

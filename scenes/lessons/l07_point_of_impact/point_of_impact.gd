@@ -25,12 +25,9 @@ var _step := _STEP_COUNT - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: PointOfImpactExercise
 var _exercise_kind := PointOfImpactExercise.Kind.SHARE
-# Run times of both ways; measured between drags, which they would slow down.
-var _nanoseconds: Dictionary[String, float] = {}
-
 var _steps: Steps
 var _formula: PointOfImpactFormula
-var _readout: Readout
+var _results: PointOfImpactResults
 var _options: LessonOptions
 var _mistakes: Mistakes
 var _question: Question
@@ -63,7 +60,7 @@ func show_state(stored: Dictionary) -> void:
 
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
+	_results = PointOfImpactResults.new(services[&"readout"] as Readout)
 	_options = services[&"options"] as LessonOptions
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question
@@ -211,8 +208,7 @@ func _show_all() -> void:
 	if _model.mistake != 0 and absf(_model.share_with_mistake()) < _LARGEST_SHOWN_SHARE:
 		points.append(_model.position_with_mistake())
 	fit(points)
-	_nanoseconds["impact"] = CallTimer.nanoseconds(_model.impact)
-	_nanoseconds["reset"] = CallTimer.nanoseconds(_model.reset_position)
+	_results.measure(_model)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()
 
@@ -231,22 +227,4 @@ func _show_model() -> void:
 		to_screen(_model.old_position), to_screen(_model.new_position)
 	]
 	_verdict.keep_off(places, _model.radius * pixels_per_unit)
-	_show_readout()
-
-
-func _show_readout() -> void:
-	var impact := _model.impact()
-	_show_way("impact", tr("POI"), impact.hit, impact.position)
-	_show_way("reset", tr("reset"), _model.is_reset(), _model.reset_position())
-
-
-func _show_way(key: String, title: String, is_there: bool, place: Vec2) -> void:
-	var time := tr("%s ns") % NumberText.short(_nanoseconds[key], 2)
-	if not is_there:
-		_readout.show_texts(key, [title, tr("none"), "", time])
-		return
-	var error := ""
-	if _model.frame_case() == PointOfImpactModel.Case.IN_FRAME:
-		var pixels := _model.error_of(place)
-		error = tr("%s px") % NumberText.short(pixels, 3 if pixels > 0.001 else 2)
-	_readout.show_texts(key, [title, NumberText.pair(place.x, place.y, 3), error, time])
+	_results.show_model(_model)
