@@ -1,0 +1,38 @@
+@abstract class_name BallMover
+extends RefCounted
+## Moves one ball by one frame among lines: the assignment of the lecture, part 16. Each way of doing
+## it is a class of its own.
+
+
+## Moves [param ball] by [param seconds] and returns its bounces in their order.
+@abstract
+func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
+
+
+## Moves the ball along its free flight; nothing is in its way.
+func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
+	ball.position.add(FreeFlight.motion(ball.velocity, gravity, seconds))
+	ball.velocity = FreeFlight.velocity_after(ball.velocity, gravity, seconds)
+
+
+## Puts the ball at the point of impact of a flight of [param seconds], with the velocity that it
+## has got there.
+func fly_to(ball: Ball, impact: Impact, seconds: float, gravity: Vec2) -> void:
+	var way := impact.position.minus(ball.position)
+	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.time)
+	ball.position = impact.position
+
+
+## Bounces the ball, which is at the point of impact, off what it has touched. Adds a record to
+## [param bounces] if it was approaching; else it keeps its velocity.
+func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[BounceRecord]) -> void:
+	if not Bounce.is_approaching(ball.velocity, impact.normal):
+		return
+	var record := BounceRecord.new()
+	record.position = ball.position.copy()
+	record.normal = impact.normal
+	record.time = impact.time
+	record.velocity_before = ball.velocity.copy()
+	Bounce.apply(ball.velocity, impact.normal, bounciness)
+	record.velocity_after = ball.velocity.copy()
+	bounces.append(record)
