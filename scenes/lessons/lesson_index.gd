@@ -4,6 +4,7 @@ class_name LessonIndex
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
 	"l04_dot_product",
+	"l09_angled_lines",
 ]
 
 

@@ -3,10 +3,13 @@ extends RefCounted
 ## Moves one ball by one frame among lines: the assignment of the lecture, part 16. Each way of doing
 ## it is a class of its own.
 
+## Pixels per second. An approach slower than this is the rounding of a ball that lies on a line, not
+## a bounce.
+const SLOWEST_BOUNCE := 1e-6
+
 
 ## Moves [param ball] by [param seconds] and returns its bounces in their order.
-@abstract
-func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
+@abstract func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
 
 
 ## Moves the ball along its free flight; nothing is in its way.
@@ -24,15 +27,16 @@ func fly_to(ball: Ball, impact: Impact, seconds: float, gravity: Vec2) -> void:
 
 
 ## Bounces the ball, which is at the point of impact, off what it has touched. Adds a record to
-## [param bounces] if it was approaching; else it keeps its velocity.
+## [param bounces] unless it only lies there; a ball that does not approach keeps its velocity.
 func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[BounceRecord]) -> void:
-	if not Bounce.is_approaching(ball.velocity, impact.normal):
+	var before := ball.velocity.copy()
+	Bounce.apply(ball.velocity, impact.normal, bounciness)
+	if -before.dot(impact.normal) < SLOWEST_BOUNCE:
 		return
 	var record := BounceRecord.new()
 	record.position = ball.position.copy()
 	record.normal = impact.normal
 	record.time = impact.time
-	record.velocity_before = ball.velocity.copy()
-	Bounce.apply(ball.velocity, impact.normal, bounciness)
+	record.velocity_before = before
 	record.velocity_after = ball.velocity.copy()
 	bounces.append(record)

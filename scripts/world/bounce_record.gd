@@ -2,6 +2,8 @@ class_name BounceRecord
 extends RefCounted
 ## One bounce as it happened: what a lesson shows of it.
 
+## Which ball, by its place among all.
+var ball_index := 0
 ## The ball's centre at the impact, in pixels.
 var position: Vec2
 ## From the line to the ball; length 1.

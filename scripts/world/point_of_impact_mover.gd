@@ -7,6 +7,7 @@ extends BallMover
 ## energy, and each bounce makes it late.
 
 
+## See [method BallMover.move].
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 	var bounces: Array[BounceRecord] = []
 	var gravity := surroundings.gravity

@@ -6,6 +6,7 @@ extends BallMover
 ## no line that it has flown over.
 
 
+## See [method BallMover.move].
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 	var bounces: Array[BounceRecord] = []
 	fly(ball, seconds, surroundings.gravity)

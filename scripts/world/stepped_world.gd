@@ -29,10 +29,8 @@ var frames := 0
 var bounces := 0
 ## How often a ball was lost so far, whether or not it was brought back.
 var losses := 0
-## The ball whose bounces are kept in [member last_bounce], by its place in [member balls].
-var watched := 0
-## The latest bounce of the ball that is watched; null before it.
-var last_bounce: BounceRecord
+## The bounces of the latest step.
+var latest_bounces: Array[BounceRecord] = []
 ## What moves the balls.
 var mover: BallMover = WholeFrameMover.new()
 
@@ -68,7 +66,7 @@ func set_balls(new_balls: Array[Ball]) -> String:
 	frames = 0
 	bounces = 0
 	losses = 0
-	last_bounce = null
+	latest_bounces.clear()
 	return ""
 
 
@@ -78,11 +76,21 @@ func step(seconds: float) -> String:
 	if not (seconds > 0.0 and seconds <= LONGEST_STEP):
 		return "A step must last above 0 and at most 1 s, not %s." % seconds
 	frames += 1
+	latest_bounces.clear()
 	_wake_where_changed(seconds)
 	for i in balls.size():
 		if is_lost[i] == 0 and _is_still[i] == 0:
 			_move(i, seconds)
 	return ""
+
+
+## Puts one ball elsewhere and gives it another velocity; a lost one is back in play.
+func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
+	var changed := Ball.new(position, balls[index].radius, velocity, balls[index].mass)
+	var problem := _problem_of(changed)
+	if not problem:
+		bring_back(index, changed)
+	return problem
 
 
 ## Brings a lost ball back to where [param ball] is, as fast as that.
@@ -109,14 +117,17 @@ func energy() -> float:
 	return sum
 
 
-## A world that shares nothing with this one but the way of stepping.
-func copy() -> SteppedWorld:
+## A world that shares nothing with this one but the way of stepping, and has counted nothing yet.
+## With [param only] it holds none but the ball at that place.
+func copy(only: int = -1) -> SteppedWorld:
 	var other := SteppedWorld.new()
 	other.surroundings = surroundings.copy()
-	other.set_balls(balls)
-	other.put_state(state())
-	other.watched = watched
 	other.mover = mover
+	for i in balls.size():
+		if only < 0 or only == i:
+			other.balls.append(balls[i].copy())
+			other.is_lost.append(is_lost[i])
+	other._wake()
 	return other
 
 
@@ -143,6 +154,7 @@ func put_state(packed: PackedFloat64Array) -> String:
 	frames = int(packed[0])
 	bounces = int(packed[1])
 	losses = int(packed[2])
+	latest_bounces.clear()
 	_wake()
 	for i in balls.size():
 		_put_ball(i, packed, _NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * i)
@@ -163,10 +175,10 @@ func _move(index: int, seconds: float) -> void:
 	_is_still[index] = int(
 		_is_same(position, ball.position) and _is_same(velocity, ball.velocity) and not records
 	)
-	if records:
-		bounces += records.size()
-		if index == watched:
-			last_bounce = records[-1]
+	for record in records:
+		record.ball_index = index
+	bounces += records.size()
+	latest_bounces.append_array(records)
 	# Not "greater": of NaN every comparison is false.
 	if not (absf(ball.position.x) <= REACH and absf(ball.position.y) <= REACH):
 		is_lost[index] = 1

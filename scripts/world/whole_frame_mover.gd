@@ -10,6 +10,7 @@ extends BallMover
 const MOST_PARTS := 32
 
 
+## See [method BallMover.move].
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 	var bounces: Array[BounceRecord] = []
 	move_under(surroundings.gravity, ball, seconds, surroundings, bounces)
