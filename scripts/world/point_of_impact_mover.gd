@@ -10,6 +10,8 @@ extends BallMover
 ## See [method BallMover.move].
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 	var bounces: Array[BounceRecord] = []
+	if fly_clear(ball, seconds, surroundings):
+		return bounces
 	var gravity := surroundings.gravity
 	var motion := FreeFlight.motion(ball.velocity, gravity, seconds)
 	var impact := surroundings.first_impact(ball, motion)

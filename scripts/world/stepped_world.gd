@@ -169,12 +169,14 @@ func _put_ball(index: int, packed: PackedFloat64Array, at: int) -> void:
 
 func _move(index: int, seconds: float) -> void:
 	var ball := balls[index]
-	var position := ball.position.copy()
-	var velocity := ball.velocity.copy()
+	var x := ball.position.x
+	var y := ball.position.y
+	var across := ball.velocity.x
+	var down := ball.velocity.y
 	var records := mover.move(ball, seconds, surroundings)
-	_is_still[index] = int(
-		_is_same(position, ball.position) and _is_same(velocity, ball.velocity) and not records
-	)
+	if ball.position.x == x and ball.position.y == y:
+		if ball.velocity.x == across and ball.velocity.y == down:
+			_is_still[index] = 1
 	for record in records:
 		record.ball_index = index
 	bounces += records.size()
@@ -195,10 +197,6 @@ func _wake_where_changed(seconds: float) -> void:
 	if frame_kind != _frame_kind:
 		_frame_kind = frame_kind
 		_wake()
-
-
-static func _is_same(one: Vec2, other: Vec2) -> bool:
-	return one.x == other.x and one.y == other.y
 
 
 static func _problem_of(ball: Ball) -> String:

@@ -165,7 +165,7 @@ func _take_lines(lines: Array[LineSegment]) -> void:
 
 func _enter_number(name_in_line: String, value: float) -> void:
 	_player.pause()
-	noticed.emit(_model.enter_number(name_in_line, value))
+	noticed.emit(AngledLinesEntry.enter(_model, name_in_line, value))
 	_finish()
 
 

@@ -7,8 +7,6 @@ extends RefCounted
 
 ## A frame of the course, in seconds.
 const FRAME := 1.0 / 60.0
-## So many frames can be gone back: 15 seconds.
-const LONGEST_PAST := 900
 ## So many frames are looked ahead.
 const FORECAST_FRAMES := 90
 ## More lines than this would leave no room on the board.
@@ -31,7 +29,7 @@ var selected := 0
 ## The latest bounce of the selected ball; null before it.
 var last_bounce: BounceRecord
 
-var _past: Array[PackedFloat64Array] = []
+var _history := StepHistory.new()
 var _first_balls: Array[Ball] = []
 var _first_energy := 0.0
 
@@ -76,12 +74,9 @@ func set_mistake(number: int) -> void:
 
 ## One frame on.
 func step() -> void:
-	_past.append(_moving_state())
-	if _past.size() > LONGEST_PAST:
-		_past.pop_front()
-	world.step(FRAME)
-	if wrong_world:
-		wrong_world.step(FRAME)
+	_history.remember(_worlds())
+	for some in _worlds():
+		some.step(FRAME)
 	for record in world.latest_bounces:
 		if record.ball_index == selected:
 			last_bounce = record
@@ -89,17 +84,13 @@ func step() -> void:
 
 ## One frame back, to the last bit. False where nothing older is known.
 func step_back() -> bool:
-	if _past.is_empty():
-		return false
-	var before: PackedFloat64Array = _past.pop_back()
-	_put_moving_state(before)
 	last_bounce = null
-	return true
+	return _history.go_back(_worlds())
 
 
 ## How many frames can be gone back.
 func past_size() -> int:
-	return _past.size()
+	return _history.size()
 
 
 ## Energy now as a share of the energy at the start: of [member world], or of [member wrong_world].
@@ -157,29 +148,6 @@ func change_ball(position: Vec2, velocity: Vec2) -> String:
 	return problem
 
 
-## Takes a number that was typed over, by its name in [AngledLinesTexts].
-func enter_number(name_in_line: String, value: float) -> String:
-	var gravity := world.surroundings.gravity.copy()
-	var position := ball().position.copy()
-	var velocity := ball().velocity.copy()
-	match name_in_line:
-		"C":
-			return set_bounciness(value)
-		"gx":
-			gravity.x = value
-		"gy":
-			gravity.y = value
-		"px":
-			position.x = value
-		"py":
-			position.y = value
-		"vx":
-			velocity.x = value
-		"vy":
-			velocity.y = value
-	return set_gravity(gravity) if name_in_line[0] == "g" else change_ball(position, velocity)
-
-
 ## What the selected ball will do in [param of_world] within a second and a half.
 func forecast(of_world: SteppedWorld) -> BallForecast:
 	return BallForecast.of(of_world, selected, FRAME, FORECAST_FRAMES)
@@ -204,11 +172,10 @@ func ball_at(point: Vec2, reach: float) -> int:
 
 ## Brings every lost ball back to where it began.
 func fetch_balls() -> void:
-	for some: SteppedWorld in [world, wrong_world]:
-		if some:
-			for i in some.balls.size():
-				if some.is_lost[i]:
-					some.bring_back(i, _first_balls[i])
+	for some in _worlds():
+		for i in some.balls.size():
+			if some.is_lost[i]:
+				some.bring_back(i, _first_balls[i])
 
 
 ## All of it, for undo and links.
@@ -247,22 +214,16 @@ func _begin() -> void:
 	if mistake:
 		wrong_world = world.copy()
 		wrong_world.mover = AngledLinesMistakes.mover(mistake)
-	_past.clear()
+	_history.clear()
 	last_bounce = null
 	_first_energy = world.energy()
 
 
-func _moving_state() -> PackedFloat64Array:
-	return world.state() + (wrong_world.state() if wrong_world else PackedFloat64Array())
-
-
-func _put_moving_state(stored: PackedFloat64Array) -> void:
-	if not wrong_world:
-		world.put_state(stored)
-		return
-	var half := stored.size() / 2
-	world.put_state(stored.slice(0, half))
-	wrong_world.put_state(stored.slice(half))
+func _worlds() -> Array[SteppedWorld]:
+	var worlds: Array[SteppedWorld] = [world]
+	if wrong_world:
+		worlds.append(wrong_world)
+	return worlds
 
 
 # Where each ball began, and how fast: to there it is brought back.

@@ -4,7 +4,7 @@ extends BoardPart
 ## forgets the latest frame when time goes back.
 
 # Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
-const _MOST_PLACES := 7200
+const _MOST_PLACES := 4000
 const _LONGEST := 1800
 
 ## Colour of the lines.

@@ -5,8 +5,6 @@ extends RefCounted
 
 ## Frames that are compared: 60 seconds.
 const FRAMES := 3600
-# Frames that one way is stepped before the next has its turn.
-const _ROUND := 20
 
 var _worlds: Array[SteppedWorld] = []
 var _first_energy := 0.0
@@ -29,7 +27,7 @@ func advance(microseconds: int, seconds: float) -> bool:
 	var start := Time.get_ticks_usec()
 	while _worlds[-1].frames < FRAMES and Time.get_ticks_usec() - start < microseconds:
 		for method in _worlds.size():
-			_step_round(method, seconds)
+			_step(method, seconds)
 	return _worlds[-1].frames < FRAMES
 
 
@@ -58,8 +56,7 @@ func microseconds_per_frame(method: SteppedWorld.Method) -> float:
 	return _microseconds[method] / maxf(_worlds[method].frames, 1.0)
 
 
-func _step_round(method: int, seconds: float) -> void:
+func _step(method: int, seconds: float) -> void:
 	var start := Time.get_ticks_usec()
-	for frame in _ROUND:
-		_worlds[method].step(seconds)
+	_worlds[method].step(seconds)
 	_microseconds[method] += Time.get_ticks_usec() - start

@@ -1,7 +1,7 @@
 class_name SteppingExercise
 extends Exercise
-## Asks what happens within one frame, with fresh whole numbers: which impact counts, what is left of
-## the frame, when to reflect, how much gravity comes before the bounce.
+## Asks what happens within one frame, with fresh whole numbers: which impact counts, what is left
+## of the frame, when to reflect, how much gravity comes before the bounce.
 
 ## What is asked for.
 enum Kind { EARLIEST, REST, MOVING_AWAY, GRAVITY }
