@@ -1,4 +1,5 @@
 class_name Palette
+extends RefCounted
 ## Every colour of the lab, by the role it plays. Nothing else names a colour.
 ##
 ## The hues follow the set of Okabe and Ito, darkened until text in them reads on [constant PAPER]

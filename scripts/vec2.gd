@@ -3,10 +3,11 @@ extends RefCounted
 ## A vector in the plane with two 64-bit components, in pixels, y downwards as in Godot.
 ##
 ## Verbs change the vector and return nothing ([method normalize]); nouns and participles leave it
-## alone and return a value or a new vector ([method normalized]). A Vec2 is an object: [code]old
-## = position[/code] shares it, [code]old = position.copy()[/code] does not. [br][br] Arithmetic
-## is that of IEEE doubles: what is too large for a double becomes infinite, and what is computed
-## from a component that is not finite is not finite either; [method is_finite] tells.
+## alone and return a value or a new vector ([method normalized]). A Vec2 is an object:
+## [code]old = position[/code] shares it, [code]old = position.copy()[/code] does not.
+## [br][br]
+## Arithmetic is that of IEEE doubles: what is too large for a double becomes infinite, and what is
+## computed from a component that is not finite means nothing; [method is_finite] tells.
 
 ## Between these bounds squares and products of lengths neither overflow nor lose digits.
 const _SMALLEST_ORDINARY := 1.0 / 2.0 ** 400
@@ -47,7 +48,8 @@ static func unit_radians(angle: float) -> Vec2:
 ## The vector of length 1 that points at [param angle] degrees: 0 is right, 90 is down. Multiples
 ## of 90 give exact whole numbers, and large angles are as good as small ones.
 static func unit_degrees(angle: float) -> Vec2:
-	# Whole turns and quarter turns are taken off in degrees, where that is exact: pi is not a double.
+	# Whole turns and quarter turns are taken off in degrees, where that is exact: pi is not a
+	# double.
 	var within_one_turn := fmod(angle, 360.0)
 	var quarter_turns := roundf(within_one_turn / 90.0)
 	var unit := unit_radians(deg_to_rad(within_one_turn - 90.0 * quarter_turns))
@@ -105,7 +107,7 @@ func scale(factor: float) -> void:
 ## long the vector is. A zero vector stays zero. Twin: [method normalized].
 func normalize() -> void:
 	var size := length()
-	if not _is_ordinary(size):
+	if not (size > _SMALLEST_ORDINARY and size < _LARGEST_ORDINARY):
 		scale(_factor_to_about_one(x, y))
 		size = length()
 	if size != 0.0:
@@ -121,7 +123,8 @@ func reflect(unit_normal: Vec2, bounciness: float = 1.0) -> void:
 	if not _can_reflect(unit_normal, bounciness):
 		return
 	var change := (1.0 + bounciness) * dot(unit_normal)
-	set_xy(x - change * unit_normal.x, y - change * unit_normal.y)
+	x -= change * unit_normal.x
+	y -= change * unit_normal.y
 
 
 ## Rotates by [param angle] radians, from the x axis towards the y axis: clockwise on screen.
@@ -224,7 +227,8 @@ func normalized() -> Vec2:
 ## for a zero vector.
 func normal() -> Vec2:
 	var unit := normalized()
-	return Vec2.new(-unit.y, unit.x)
+	unit.set_xy(-unit.y, unit.x)
+	return unit
 
 
 ## This velocity reflected off a line; a copy where that is refused. Twin: [method reflect].
@@ -238,7 +242,7 @@ func reflected(unit_normal: Vec2, bounciness: float = 1.0) -> Vec2:
 ## for a zero onto.
 func vector_projection(onto: Vec2) -> Vec2:
 	var squared := onto.length_squared()
-	if not (_is_ordinary(squared) and _is_ordinary(length_squared())):
+	if not _are_ordinary(squared, length_squared()):
 		return onto.normalized().scaled(scalar_projection(onto))
 	var product := dot(onto)
 	return Vec2.new(product * onto.x / squared, product * onto.y / squared)
@@ -249,7 +253,11 @@ func vector_projection(onto: Vec2) -> Vec2:
 func rejection(onto: Vec2) -> Vec2:
 	if onto.x == 0.0 and onto.y == 0.0:
 		return copy()
-	return vector_projection(Vec2.new(-onto.y, onto.x))
+	var squared := onto.length_squared()
+	if not _are_ordinary(squared, length_squared()):
+		return vector_projection(onto.normal())
+	var product := onto.cross(self)
+	return Vec2.new(-product * onto.y / squared, product * onto.x / squared)
 
 
 ## The point on the way from here to [param to]: here for weight 0, exactly [param to] for weight
@@ -272,10 +280,13 @@ func moved_toward(to: Vec2, distance: float) -> Vec2:
 	return to.copy() if whole <= distance else lerped(to, distance / whole)
 
 
-## The length in pixels. It neither overflows nor underflows on the way: infinite only if the
-## length itself is too large for a double.
+## The length in pixels, for any finite components: infinite only if the length itself is too large
+## for a double.
 func length() -> float:
-	return _length_of(x, y)
+	var squared := x * x + y * y
+	if squared > _SMALLEST_ORDINARY and squared < _LARGEST_ORDINARY:
+		return sqrt(squared)
+	return _extreme_length(x, y)
 
 
 ## The square of the length, x² + y², in square pixels. Overflows beyond a length of about 1e154.
@@ -283,9 +294,15 @@ func length_squared() -> float:
 	return x * x + y * y
 
 
-## The distance in pixels between the positions this vector and [param other].
+## The distance in pixels between the positions this vector and [param other], for any finite
+## components: infinite only if the distance itself is too large for a double.
 func distance_to(other: Vec2) -> float:
-	return _length_of(x - other.x, y - other.y)
+	var across := x - other.x
+	var down := y - other.y
+	var squared := across * across + down * down
+	if squared > _SMALLEST_ORDINARY and squared < _LARGEST_ORDINARY:
+		return sqrt(squared)
+	return _extreme_length(across, down)
 
 
 ## The dot product x ox + y oy: positive if the angle between both is below 90 degrees, 0 at 90.
@@ -304,8 +321,8 @@ func cross(other: Vec2) -> float:
 ## unit vector: negative beyond 90 degrees. 0 for a zero onto.
 func scalar_projection(onto: Vec2) -> float:
 	var squared := onto.length_squared()
-	if _is_ordinary(squared) and _is_ordinary(length_squared()):
-		return dot(onto) / sqrt(squared)
+	if _are_ordinary(squared, x * x + y * y):
+		return (x * onto.x + y * onto.y) / sqrt(squared)
 	var factor := _factor_to_about_one(x, y)
 	return scaled(factor).dot(onto.normalized()) / factor
 
@@ -327,14 +344,14 @@ func angle_degrees() -> float:
 func angle_to(other: Vec2) -> float:
 	var from := self
 	var to := other
-	if not (_is_ordinary(from.length_squared()) and _is_ordinary(to.length_squared())):
+	if not _are_ordinary(from.length_squared(), to.length_squared()):
 		from = scaled(_factor_to_about_one(x, y))
 		to = other.scaled(_factor_to_about_one(other.x, other.y))
 	return _angle_of(from.dot(to), from.cross(to))
 
 
 ## Whether both components differ from those of [param other] by at most [param tolerance] pixels.
-## Never true for components that are not finite.
+## Never true where a component is NaN, nor for two infinite ones.
 func equals_approx(other: Vec2, tolerance: float) -> bool:
 	return absf(x - other.x) <= tolerance and absf(y - other.y) <= tolerance
 
@@ -349,10 +366,7 @@ func to_vector2() -> Vector2:
 	return Vector2(x, y)
 
 
-static func _length_of(across: float, down: float) -> float:
-	var squared := across * across + down * down
-	if _is_ordinary(squared):
-		return sqrt(squared)
+static func _extreme_length(across: float, down: float) -> float:
 	var factor := _factor_to_about_one(across, down)
 	across *= factor
 	down *= factor
@@ -360,16 +374,17 @@ static func _length_of(across: float, down: float) -> float:
 
 
 static func _angle_of(across: float, down: float) -> float:
-	# Adding 0.0 turns -0.0 into 0.0, for which atan2 would answer -PI or PI.
+	# Adding 0.0 turns -0.0 into 0.0; for a negative zero atan2 answers -0.0, -PI or PI.
 	var angle := atan2(down + 0.0, across + 0.0)
 	return PI if angle == -PI else angle
 
 
-static func _is_ordinary(size: float) -> bool:
-	return size > _SMALLEST_ORDINARY and size < _LARGEST_ORDINARY
+static func _are_ordinary(a: float, b: float) -> bool:
+	return minf(a, b) > _SMALLEST_ORDINARY and maxf(a, b) < _LARGEST_ORDINARY
 
 
-## The power of two that brings the larger component near 1. Multiplying by it changes no digit.
+## The power of two that brings the larger component near 1. Multiplying by it rounds nothing that
+## counts beside that component.
 static func _factor_to_about_one(across: float, down: float) -> float:
 	var exponent := floorf(log(maxf(absf(across), absf(down))) / log(2.0))
 	return pow(2.0, clampf(-exponent, -1000.0, 1000.0))
@@ -380,10 +395,12 @@ func _rotate(cosine: float, sine: float) -> void:
 
 
 func _rotate_around(point: Vec2, cosine: float, sine: float) -> void:
-	var centre := point.copy()
-	subtract(centre)
+	# Kept apart, because the point may be this vector itself.
+	var centre_x := point.x
+	var centre_y := point.y
+	set_xy(x - centre_x, y - centre_y)
 	_rotate(cosine, sine)
-	add(centre)
+	set_xy(x + centre_x, y + centre_y)
 
 
 static func _can_reflect(unit_normal: Vec2, bounciness: float) -> bool:

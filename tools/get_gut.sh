@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Puts GUT into addons/gut: the copy that is there, the cache, $GUT_REPO, the public repository; else the stand-in.
+# GUT_REPO=none asks for the stand-in.
 # Usage: tools/get_gut.sh [--try-all]   (asks the network again even where the stand-in is already in place)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -23,13 +24,19 @@ put() {
 	mv "$LAB_BUILD/gut.partial" "$place"
 }
 
+# A network that swallows everything is noticed after some seconds; git alone would wait for minutes.
+is_reachable() {
+	[[ $1 != http* ]] || ! command -v curl >/dev/null || curl -s --connect-timeout 5 -o /dev/null "$1"
+}
+
 # fetch REPOSITORY: GUT's files of the pinned commit into the cache; git itself proves content by the commit's id.
 fetch() {
 	local work=$cached.partial got
+	is_reachable "$1" || return 1
 	rm -rf "$work"
 	mkdir -p "$work"
 	git init -q --bare "$work/repository"
-	git -C "$work/repository" fetch -q --depth 1 "$1" "$GUT_COMMIT" || return 1
+	GIT_TERMINAL_PROMPT=0 git -C "$work/repository" fetch -q --depth 1 "$1" "$GUT_COMMIT" || return 1
 	got=$(git -C "$work/repository" rev-parse FETCH_HEAD)
 	if [ "$got" != "$GUT_COMMIT" ]; then
 		say "$1 gave commit $got, not GUT $GUT_VERSION ($GUT_COMMIT)"
@@ -53,10 +60,11 @@ from_git() {
 	fetch "$GUT_PUBLIC_REPO"
 }
 
-if is_gut "$place"; then
+if [ "${GUT_REPO:-}" = none ]; then
+	put "$stand_in"
+elif is_gut "$place"; then
 	exit
-fi
-if is_gut "$cached"; then
+elif is_gut "$cached"; then
 	put "$cached"
 elif is_stand_in && [ -z "${GUT_REPO:-}" ] && [ "${1:-}" != --try-all ]; then
 	put "$stand_in"

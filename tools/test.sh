@@ -8,7 +8,8 @@ results=$LAB_BUILD/test
 report=$results/report.txt
 
 run_tests() {
-	"$godot" --headless --path "$LAB_ROOT" -s addons/gut/gut_cmdln.gd "$@" 2>&1 </dev/null |
+	"$LAB_ROOT/tools/run_with_patience.sh" 120 \
+		"$godot" --headless --path "$LAB_ROOT" -s addons/gut/gut_cmdln.gd "$@" |
 		tee "$results/log.txt" | awk -f "$LAB_ROOT/tools/hide_watched_messages.awk" | tee "$results/shown.txt"
 }
 
@@ -22,7 +23,9 @@ problems() {
 	engine_messages "$results/shown.txt"
 }
 
+trap 'printf "\n0 passed, 1 failed\n"' EXIT
 prepare_project
+trap - EXIT
 make_build_folder
 mkdir -p "$results"
 rm -f "$report" "$results/junit.xml"

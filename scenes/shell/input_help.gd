@@ -1,4 +1,5 @@
 class_name InputHelp
+extends RefCounted
 ## The help line at the foot of the screen, made from the InputMap: it cannot differ from what the
 ## keys do.
 

@@ -86,7 +86,7 @@ func _add_service(need: String) -> Control:
 	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
-		(service as FoldableContainer).folding_changed.connect(_show_unfolded.bind(service))
+		service.resized.connect(_keep_in_view.bind(service))
 	return service
 
 
@@ -97,18 +97,17 @@ func _announce(answering: Control) -> void:
 	_help_actions.append_array(actions)
 
 
-func _show_unfolded(is_folded: bool, service: Control) -> void:
-	# The panel knows the unfolded size only when it has been laid out once more.
-	await get_tree().process_frame
-	await get_tree().process_frame
-	if not is_folded:
-		_panel.ensure_control_visible(service)
+# What has been unfolded, or has grown by a verdict, is scrolled into view.
+func _keep_in_view(service: FoldableContainer) -> void:
+	if not service.folded:
+		_panel.ensure_control_visible.call_deferred(service)
 
 
 func _store() -> void:
 	var now := lesson.state()
 	if now == _last_state:
 		return
+	_show_notice("")
 	_history.create_action("edit")
 	_history.add_do_method(_show_state.bind(now))
 	_history.add_undo_method(_show_state.bind(_last_state))

@@ -1,4 +1,5 @@
 class_name LessonRequest
+extends RefCounted
 ## Which lesson was asked for when the lab was started: `-- --lesson=<id>`, or `#<id>` in a
 ## browser's address.
 
@@ -22,11 +23,23 @@ static func refusal(id: String) -> String:
 	return sentence % [id, ", ".join(LessonIndex.ids())]
 
 
-static func _requested_id() -> String:
-	for argument in OS.get_cmdline_user_args():
+## The id in `--lesson=<id>`, the first of these command-line arguments that has that form; "" where
+## none has.
+static func id_in_arguments(arguments: PackedStringArray) -> String:
+	for argument in arguments:
 		if argument.begins_with(_ARGUMENT):
 			return argument.trim_prefix(_ARGUMENT)
-	if OS.has_feature("web"):
-		var fragment: Variant = JavaScriptBridge.eval("window.location.hash")
-		return str(fragment).trim_prefix("#").uri_decode()
 	return ""
+
+
+## The id in the part of a browser's address from `#` on; "" where there is none.
+static func id_in_fragment(fragment: String) -> String:
+	return fragment.trim_prefix("#").uri_decode()
+
+
+static func _requested_id() -> String:
+	var id := id_in_arguments(OS.get_cmdline_user_args())
+	if not id and OS.has_feature("web"):
+		var fragment: Variant = JavaScriptBridge.eval("window.location.hash")
+		return id_in_fragment(str(fragment))
+	return id

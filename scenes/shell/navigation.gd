@@ -1,4 +1,5 @@
 class_name Navigation
+extends RefCounted
 ## Goes from the start screen to a lesson and back.
 
 const _START_SCREEN := "res://scenes/shell/start_screen.tscn"
@@ -18,6 +19,8 @@ static func open_start_screen(tree: SceneTree) -> void:
 
 
 static func _change_scene(tree: SceneTree, scene: Node) -> void:
+	# What is being typed is taken, or refused, while its scene is still there.
+	tree.root.gui_release_focus()
 	if tree.current_scene:
 		tree.current_scene.free()
 	tree.root.add_child(scene)

@@ -11,17 +11,11 @@ func _ready() -> void:
 	for lesson in LessonIndex.lessons():
 		_add_card(lesson)
 	(_cards.get_child(0) as Control).grab_focus()
-	_open_requested(LessonRequest.take_id())
+	open_requested(LessonRequest.take_id())
 
 
-func _add_card(lesson: LessonInfo) -> void:
-	var card := _CARD.instantiate() as LessonCard
-	_cards.add_child(card)
-	card.show_lesson(lesson)
-	card.pressed.connect(func() -> void: Navigation.open_lesson(get_tree(), lesson))
-
-
-func _open_requested(id: String) -> void:
+## Opens the lesson with this id, or says which ids there are; does nothing for "".
+func open_requested(id: String) -> void:
 	if not id:
 		return
 	var lesson := LessonIndex.find(id)
@@ -30,3 +24,10 @@ func _open_requested(id: String) -> void:
 	else:
 		(%Notice as Label).text = LessonRequest.refusal(id)
 		(%NoticePlace as Control).show()
+
+
+func _add_card(lesson: LessonInfo) -> void:
+	var card := _CARD.instantiate() as LessonCard
+	_cards.add_child(card)
+	card.show_lesson(lesson)
+	card.pressed.connect(func() -> void: Navigation.open_lesson(get_tree(), lesson))

@@ -1,4 +1,5 @@
 class_name WindowFit
+extends RefCounted
 ## Fits the lab's drawing size to the window, so that text keeps its size on tall and small windows
 ## too.
 ##

@@ -4,13 +4,15 @@ extends Board
 ## and undone.
 ##
 ## The frame adds the services that the lesson's [LessonInfo] needs and then calls [method start].
-## A lesson tells every complete change by the student with [signal edited]; the frame then stores
-## [method state] for undo.
+## A lesson tells every complete change by the student with [@warning_ignore("unused_signal")
+## signal edited]; the frame then stores [method state] for undo.
 
 ## The student has changed something, and the change is complete: a drag has ended, a number was
 ## entered.
+@warning_ignore("unused_signal")
 signal edited
 ## A sentence for the notice line: what could not be taken and why; "" takes it away.
+@warning_ignore("unused_signal")
 signal noticed(message: String)
 
 ## The services that the frame has brought, by the names in [member LessonInfo.needs].

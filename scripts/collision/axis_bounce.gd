@@ -1,4 +1,5 @@
 class_name AxisBounce
+extends RefCounted
 ## The easy case, parts 1 and 2 of the lecture: a horizontal floor or a vertical wall. One
 ## coordinate tells the hit, one is put back, one component of the velocity is flipped. Wrong for
 ## any other line.

@@ -1,4 +1,5 @@
 class_name Bounce
+extends RefCounted
 ## Parts 14 and 15 of the lecture: the law of reflection, v - (1 + C) (v . n) n, and when to apply
 ## it.
 

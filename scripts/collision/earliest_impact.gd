@@ -1,4 +1,5 @@
 class_name EarliestImpact
+extends RefCounted
 ## Of all impacts in a frame the earliest is the one that happens: the others may never.
 
 

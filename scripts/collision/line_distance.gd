@@ -1,4 +1,5 @@
 class_name LineDistance
+extends RefCounted
 ## How far a ball is from an infinite line, part 11 of the lecture: the difference vector from any
 ## point of the line, projected on the unit normal, minus the radius.
 

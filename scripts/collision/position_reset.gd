@@ -1,4 +1,5 @@
 class_name PositionReset
+extends RefCounted
 ## Part 12 of the lecture: a ball that has sunk into a line is put back along the normal.
 
 

@@ -1,4 +1,5 @@
 class_name SegmentOverlap
+extends RefCounted
 ## Part 12 of the lecture for a line with ends: looks at one moment only, and so sees neither where
 ## the ball came from nor what it flew over. A ball fast enough passes through.
 

@@ -1,4 +1,5 @@
 class_name NumberText
+extends RefCounted
 ## Numbers as a student reads them, and typed text as a number.
 
 ## The true minus sign, as wide as a plus.
@@ -29,6 +30,11 @@ static func typed(value: float) -> String:
 ## Two components in parentheses: `(4, -3)`.
 static func pair(x: float, y: float, digits: int = 4) -> String:
 	return "(%s, %s)" % [short(x, digits), short(y, digits)]
+
+
+## [param value] with all the digits that tell it from the next double: `5.000000000000001`.
+static func all_digits(value: float) -> String:
+	return String.num_scientific(value).replace("-", MINUS)
 
 
 ## A size that needs no sign and no more than two digits, such as an error: `0`, `8.9e-16`.

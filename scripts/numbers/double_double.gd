@@ -4,24 +4,26 @@ extends RefCounted
 ##
 ## For readouts and tests that state the error of a double; slow, so nothing moves with it. It
 ## never changes: every operation returns a new number, with a relative error below 2^-100. The
-## numbers and what is computed on the way must have magnitudes between 1e-290 and 1e290 (or be
-## 0). [br][br] Sources: exact sum: Knuth, The Art of Computer Programming 2, 4.2.2; exact
-## product: Veltkamp's splitting in Dekker, A floating-point technique for extending the available
-## precision (1971); the idea of such sums: Shewchuk, Adaptive precision floating-point arithmetic
-## (1997).
+## numbers and what is computed on the way must have magnitudes between 1e-290 and 1e290, or be 0.
+## [br][br]
+## Sources. Exact sum: Knuth, The Art of Computer Programming 2, section 4.2.2. Exact product, with
+## Veltkamp's splitting: Dekker, A Floating-Point Technique for Extending the Available Precision,
+## 1971. Numbers as sums of doubles: Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997.
+## Sum and product of two such numbers: Joldes, Muller and Popescu, Tight and Rigorous Error Bounds
+## for Basic Building Blocks of Double-Word Arithmetic, 2017.
 
 ## Multiplying by this splits the 53 bits of a double into two halves (Veltkamp).
 const _SPLITTER := 2.0 ** 27 + 1.0
 
-## The double next to the number.
+## The double nearest to the number.
 var high: float
 
-## What [member high] leaves over: at most half a unit in its last place.
+## What [member high] leaves over: at most half of its last place.
 var low: float
 
 
-## Takes both parts as they are; [method from_float], [method sum_of] and [method product_of] make
-## parts that fit together.
+## Takes both parts as they are: they must fit together, as those that [method from_float], [method
+## sum_of] and [method product_of] make do.
 func _init(high_part: float, low_part: float) -> void:
 	high = high_part
 	low = low_part
@@ -98,9 +100,9 @@ func square_root() -> DoubleDouble:
 	return sum_of(estimate, rest.high / (2.0 * estimate))
 
 
-## The double next to the number.
+## The double nearest to the number.
 func to_float() -> float:
-	return high + low
+	return high
 
 
 ## How much [param value] is too large (negative: too small), this number being the exact one.

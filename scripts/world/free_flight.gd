@@ -1,4 +1,5 @@
 class_name FreeFlight
+extends RefCounted
 ## How a ball moves between two bounces, under gravity that stays as it is.
 
 

@@ -1,4 +1,5 @@
 class_name WorldState
+extends RefCounted
 ## A stepped world as a dictionary of numbers, for undo and links, and back.
 
 

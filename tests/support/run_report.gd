@@ -1,11 +1,12 @@
 extends GutHookScript
 ## Runs after the last test and finds what the runner itself lets pass: scripts that were not run,
 ## tests without an assert, orphan nodes, errors and warnings that no test expected. Sets the exit
-## code, and leaves `build/test/report.txt` to `./lab test`: `passed N`, then `problem TEXT` for
-## each
-## thing that is wrong.
+## code, and leaves `build/test/report.txt` to `./lab test`: `passed N`, then a line `problem TEXT`
+## for each thing that is wrong.
 
 const REPORT := "res://build/test/report.txt"
+## How the runner ends a failure's text.
+const AT_LINE := "  at line "
 
 var _passed := 0
 var _problems := PackedStringArray()
@@ -62,15 +63,16 @@ func _look_at_test(path: String, test: Variant) -> void:
 
 
 func _first_failure_of(test: Variant) -> String:
-	# The runner's last line says where; _place_of has said that.
-	var text: String = test.fail_texts[0].rsplit("\n", true, 1)[0]
+	var text: String = test.fail_texts[0].get_slice(AT_LINE, 0).strip_edges()
 	var others: int = test.fail_texts.size() - 1
 	return text if others == 0 else "%s (and %d more)" % [text, others]
 
 
+## The file and line of the first failure.
 func _place_of(path: String, test: Variant) -> String:
-	if test.line_number > 0:
-		return "%s:%d" % [path, test.line_number]
+	var line: int = test.fail_texts[0].get_slice(AT_LINE, 1).to_int()
+	if line > 0:
+		return "%s:%d" % [path, line]
 	for id: String in gut.error_tracker.errors.items:
 		if id.begins_with("%s:%s" % [path.get_file(), test.name]):
 			return _origin_of(gut.error_tracker.errors.items[id][0])

@@ -17,6 +17,11 @@ func test_pythagorean_directions_give_exact_fractions() -> void:
 	assert_almost_eq(three.error_of(3.0), 0.0, 3.0 * PROMISED)
 
 
+func test_projections_on_the_axes_are_the_components() -> void:
+	assert_eq(ExactProjection.scalar_projection(Vec2.new(7, 1), Vec2.new(-3, 0)).to_float(), -7.0)
+	assert_eq(ExactProjection.scalar_projection(Vec2.new(7, 1), Vec2.new(0, 5)).to_float(), 1.0)
+
+
 func test_a_projection_on_zero_is_zero() -> void:
 	assert_eq(ExactProjection.scalar_projection(Vec2.new(7, 1), Vec2.zero()).to_float(), 0.0)
 

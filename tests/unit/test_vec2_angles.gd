@@ -27,7 +27,9 @@ func test_the_angle_is_never_minus_180() -> void:
 
 
 func test_the_angle_just_above_minus_180_is_kept() -> void:
-	assert_between(Vec2.new(-1, -1e-15).angle_degrees(), -179.9999999999999999, -179.9999999999999)
+	var angle := Vec2.new(-1, -1e-15).angle_degrees()
+	assert_gt(angle, -180.0)
+	assert_lt(angle, -179.9999999999)
 
 
 func test_the_angle_of_a_zero_vector_is_zero() -> void:
@@ -35,6 +37,11 @@ func test_the_angle_of_a_zero_vector_is_zero() -> void:
 	for across: float in zero_components:
 		for down: float in zero_components:
 			assert_eq(Vec2.new(across, down).angle_radians(), 0.0)
+
+
+func test_the_angle_of_the_x_axis_is_never_negative_zero() -> void:
+	assert_true(same_bits(Vec2.new(1, negative_zero()).angle_radians(), 0.0))
+	assert_true(same_bits(Vec2.new(1, 0).angle_to(Vec2.new(1, negative_zero())), 0.0))
 
 
 func test_turning_by_quarters_never_leaves_the_range() -> void:

@@ -40,6 +40,7 @@ func test_the_text_of_negative_zero_is_zero() -> void:
 
 func test_the_text_of_tiny_and_huge_components_hides_nothing() -> void:
 	assert_eq(str(Vec2.new(1e-9, -1e300)), "(1e-09, -1e+300)")
+	assert_eq(str(Vec2.new(0.0001, 1e15)), "(0.0001, 1e+15)")
 	assert_eq(str(Vec2.new(NAN, -INF)), "(nan, -inf)")
 
 

@@ -8,9 +8,11 @@ const HUGE := 2.0 ** 1000
 
 func test_the_length_neither_overflows_nor_underflows() -> void:
 	assert_eq(Vec2.new(3.0 * HUGE, 4.0 * HUGE).length(), 5.0 * HUGE)
+	assert_eq(Vec2.new(-3.0 * HUGE, -4.0 * HUGE).length(), 5.0 * HUGE)
 	assert_eq(Vec2.new(3.0 * TINY, 4.0 * TINY).length(), 5.0 * TINY)
 	assert_eq(Vec2.new(1e300, 0).length(), 1e300)
 	assert_eq(Vec2.new(0, -1e-300).length(), 1e-300)
+	assert_eq(Vec2.new(0, -HUGE).length(), HUGE)
 
 
 func test_the_length_of_subnormal_vectors() -> void:
@@ -30,12 +32,16 @@ func test_only_a_length_too_large_for_a_double_is_infinite() -> void:
 
 
 func test_the_length_is_right_at_every_scale() -> void:
-	var errors := PackedFloat64Array()
-	for exponent: int in range(-1000, 1001, 20):
-		# (1, 1) times a power of two, just inside and outside of what is treated as ordinary.
-		var size := pow(2.0, exponent)
-		errors.append(absf(Vec2.new(size, size).length() / size - sqrt(2.0)))
-	assert_all_at_most(errors, EPSILON)
+	var vector := Vec2.new(1.0 / 3.0, 0.7)
+	var lengths := PackedFloat64Array()
+	var distances := PackedFloat64Array()
+	for exponent: int in range(-1000, 1001, 5):
+		var power := pow(2.0, exponent)
+		var scaled := vector.scaled(power)
+		lengths.append(absf(scaled.length() / power - vector.length()))
+		distances.append(absf(Vec2.zero().distance_to(scaled) / power - vector.length()))
+	assert_all_at_most(lengths, EPSILON)
+	assert_all_at_most(distances, EPSILON)
 
 
 func test_the_distance_of_extreme_positions() -> void:
@@ -81,14 +87,27 @@ func test_limit_length_shortens_even_a_vector_of_infinite_length() -> void:
 
 func test_projections_of_extreme_vectors() -> void:
 	# The lecture's example, each vector at its own scale.
-	for a_scale: float in [TINY, 1.0, HUGE]:
-		for b_scale: float in [TINY, 1.0, HUGE]:
+	for a_scale: float in [TINY, 1.0 / 2.0 ** 190, 1.0, HUGE]:
+		for b_scale: float in [TINY, 1.0 / 2.0 ** 190, 1.0, 2.0 ** 190, HUGE]:
 			var a := Vec2.new(7.0 * a_scale, a_scale)
 			var b := Vec2.new(8.0 * b_scale, -6.0 * b_scale)
 			var allowed := 8.0 * EPSILON * a_scale
 			assert_almost_eq(a.scalar_projection(b), 5.0 * a_scale, allowed)
 			assert_vec2(a.vector_projection(b), Vec2.new(4, -3).scaled(a_scale), allowed)
 			assert_vec2(a.rejection(b), Vec2.new(3, 4).scaled(a_scale), allowed)
+
+
+func test_projections_are_right_at_every_scale() -> void:
+	var a := Vec2.new(1.0 / 3.0, 0.7)
+	var b := Vec2.new(0.9, -0.2)
+	var scalars := PackedFloat64Array()
+	var vectors := PackedFloat64Array()
+	for exponent: int in range(-1000, 1001, 5):
+		var scaled := b.scaled(pow(2.0, exponent))
+		scalars.append(absf(a.scalar_projection(scaled) - a.scalar_projection(b)))
+		vectors.append(a.vector_projection(scaled).distance_to(a.vector_projection(b)))
+	assert_all_at_most(scalars, 2.0 * EPSILON)
+	assert_all_at_most(vectors, 2.0 * EPSILON)
 
 
 func test_projections_on_subnormal_vectors() -> void:
@@ -104,6 +123,22 @@ func test_angles_between_extreme_vectors() -> void:
 			var a := Vec2.new(a_scale, a_scale)
 			assert_almost_eq(a.angle_to(Vec2.new(0, b_scale)), PI / 4.0, EPSILON)
 			assert_eq(a.angle_to(Vec2.new(-b_scale, -b_scale)), PI)
+
+
+func test_angles_to_extreme_vectors_along_the_axes() -> void:
+	var a := Vec2.new(2, 0)
+	for size: float in [SMALLEST_SUBNORMAL, LARGEST_DOUBLE]:
+		assert_eq(a.angle_to(Vec2.new(0, size)), PI / 2.0)
+		assert_eq(a.angle_to(Vec2.new(-size, 0)), PI)
+		assert_eq(Vec2.new(0, size).angle_to(a), -PI / 2.0)
+
+
+func test_angles_to_and_from_subnormal_vectors_keep_all_digits() -> void:
+	var ordinary := Vec2.new(1.0 / 3.0, 0.1)
+	var angle := ordinary.angle_to(Vec2.new(3, 4))
+	var subnormal := Vec2.new(3.0 * SMALLEST_SUBNORMAL, 4.0 * SMALLEST_SUBNORMAL)
+	assert_almost_eq(ordinary.angle_to(subnormal), angle, EPSILON)
+	assert_almost_eq(subnormal.angle_to(ordinary), -angle, EPSILON)
 
 
 func test_angles_of_extreme_vectors() -> void:
@@ -145,6 +180,7 @@ func _extreme_vectors() -> Array[Vec2]:
 	]
 	for exponent: int in range(-1070, 1024, 9):
 		for direction: Vec2 in random_vectors(exponent, 3, 1.0):
-			var power := pow(2.0, exponent / 2)
-			vectors.append(direction.scaled(power).scaled(pow(2.0, exponent - exponent / 2)))
+			# In two steps, because 2 to the power of -1070 has a single digit.
+			var half := floorf(exponent / 2.0)
+			vectors.append(direction.scaled(pow(2.0, half)).scaled(pow(2.0, exponent - half)))
 	return vectors

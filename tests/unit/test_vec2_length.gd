@@ -94,6 +94,12 @@ func test_limit_length_shortens_a_longer_vector() -> void:
 	assert_vec2(vector, Vec2.new(-3, 4), 1e-15)
 
 
+func test_limit_length_to_zero_gives_the_zero_vector() -> void:
+	var vector := Vec2.new(-30, 40)
+	vector.limit_length(0)
+	assert_vec2(vector, Vec2.zero(), 0.0)
+
+
 func test_limit_length_leaves_a_shorter_vector_alone() -> void:
 	for maximum: float in [5.0, 6.0, INF]:
 		var vector := Vec2.new(3, 4)

@@ -116,6 +116,14 @@ func test_the_projection_does_not_depend_on_the_length_of_the_other() -> void:
 		assert_vec2(a.vector_projection(b.scaled(1000)), a.vector_projection(b), 1e-13)
 
 
+func test_projections_on_the_axes_are_the_components() -> void:
+	var a := Vec2.new(7, 1)
+	assert_vec2(a.vector_projection(Vec2.new(-3, 0)), Vec2.new(7, 0), 0.0)
+	assert_vec2(a.rejection(Vec2.new(-3, 0)), Vec2.new(0, 1), 0.0)
+	assert_vec2(a.vector_projection(Vec2.new(0, 5)), Vec2.new(0, 1), 0.0)
+	assert_vec2(a.rejection(Vec2.new(0, 5)), Vec2.new(7, 0), 0.0)
+
+
 func test_projections_on_zero_are_zero_and_the_rejection_is_a_copy() -> void:
 	var a := Vec2.new(7, 1)
 	assert_eq(a.scalar_projection(Vec2.zero()), 0.0)

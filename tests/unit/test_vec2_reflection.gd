@@ -29,7 +29,8 @@ func test_both_normals_of_a_line_give_the_same() -> void:
 
 
 func test_reflecting_twice_gives_the_velocity_back() -> void:
-	# Twice is I + 4 (n.n - 1) n n^T; a normal within 1.5 units of length 1 leaves at most 12 of them.
+	# Twice is I + 4 (n.n - 1) n n^T; a normal within 1.5 units of length 1 leaves at most 12 of
+	# them.
 	for velocity: Vec2 in random_vectors(42, 100):
 		var normal := Vec2.new(velocity.y, 3.0).normal()
 		var allowed := 12.0 * EPSILON * velocity.length()
@@ -89,7 +90,7 @@ func test_a_normal_off_by_more_is_refused_and_the_length_told() -> void:
 
 func test_a_bounciness_outside_0_to_1_is_refused() -> void:
 	var velocity := Vec2.new(3, 4)
-	for wrong: float in [-0.1, 1.5, NAN, INF]:
+	for wrong: float in [-0.1, -1e-9, 1.000001, 1.5, NAN, INF]:
 		velocity.reflect(Vec2.new(0, 1), wrong)
 		assert_vec2(velocity, Vec2.new(3, 4), 0.0)
 		assert_push_error("must be within 0..1, but is %s." % wrong)

@@ -24,7 +24,7 @@ var _exercise_kind := ProjectionExercise.Kind.SCALAR
 var _steps: Steps
 var _formula: DotProductFormula
 var _readout: Readout
-var _options: Options
+var _options: LessonOptions
 var _transport: Transport
 var _question: Question
 
@@ -57,7 +57,7 @@ func show_state(stored: Dictionary) -> void:
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_transport = services[&"transport"] as Transport
 	_question = services[&"question"] as Question
 

@@ -1,4 +1,5 @@
 class_name DotProductTexts
+extends RefCounted
 ## The sentences and formula lines of the lesson on the dot product, step by step.
 
 const _UNITS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}

@@ -1,4 +1,5 @@
 class_name PrimitiveProjection
+extends RefCounted
 ## The projection by angles, as one does it who does not know the dot product: slow, cumbersome and
 ## less exact.
 

@@ -19,8 +19,8 @@ func show_model(model: DotProductModel) -> void:
 func _second_line(model: DotProductModel) -> String:
 	if not model.normalizes:
 		var letter := DotProductTexts.onto_symbol(model)
-		var size := NumberText.short(model.onto().length())
-		return tr("wrong: |%s| = %s times too big") % [letter, size]
+		var times := NumberText.short(model.onto().length())
+		return tr("wrong: |%s| = %s times too big") % [letter, times]
 	var sentences: PackedStringArray = [
 		tr("negative: the angle is above 90°"),
 		tr("zero: no shadow at all"),

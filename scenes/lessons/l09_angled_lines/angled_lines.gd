@@ -84,7 +84,7 @@ func _connect_panel(formula: Formula) -> void:
 	formula.number_entered.connect(_enter_number)
 	formula.role_pointed.connect(_drawing.light)
 	formula.refused.connect(noticed.emit)
-	var options := services[&"options"] as Options
+	var options := services[&"options"] as LessonOptions
 	options.switched.connect(func(_key: String, _on: bool) -> void: _toggle_trails())
 	options.chosen.connect(_choose_method)
 	options.preset_picked.connect(_pick)

@@ -1,4 +1,5 @@
 class_name AngledLinesEntry
+extends RefCounted
 ## Takes numbers that were typed over in the formula lines of the lesson on angled lines.
 
 

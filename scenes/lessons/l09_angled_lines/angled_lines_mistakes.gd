@@ -1,4 +1,5 @@
 class_name AngledLinesMistakes
+extends RefCounted
 ## The known mistakes of stepping balls among lines, each as a way of moving that makes it.
 
 

@@ -6,7 +6,7 @@ extends RefCounted
 # Microseconds of a paused frame that the comparison may take.
 const _SLICE := 4000
 
-var _options: Options
+var _options: LessonOptions
 var _readout: Readout
 var _mistakes: Mistakes
 var _question: Question
@@ -19,7 +19,7 @@ var _rng := RandomNumberGenerator.new()
 
 ## Fills the services that the frame has brought.
 func _init(services: Dictionary[StringName, Control]) -> void:
-	_options = services[&"options"] as Options
+	_options = services[&"options"] as LessonOptions
 	_readout = services[&"readout"] as Readout
 	_mistakes = services[&"mistakes"] as Mistakes
 	_question = services[&"question"] as Question

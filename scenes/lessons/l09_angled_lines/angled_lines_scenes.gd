@@ -1,4 +1,5 @@
 class_name AngledLinesScenes
+extends RefCounted
 ## The ready-made situations of the lesson on angled lines: the course's scenes of week 3 on the
 ## keys 0 to 9.
 

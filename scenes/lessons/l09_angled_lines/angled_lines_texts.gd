@@ -1,4 +1,5 @@
 class_name AngledLinesTexts
+extends RefCounted
 ## The words and formula lines of the lesson on angled lines.
 
 

@@ -75,12 +75,14 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
-	var reach := 15.0 + ThemeDB.fallback_font.get_string_size(tr(label), 0, -1, 24).x / 2.0
+	var font := ThemeDB.fallback_font
+	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
+	var reach := 15.0 + extent.x / 2.0
 	var middle := to + direction * (reach + 6.0)
 	if label_place == LabelPlace.MIDDLE:
 		var side := direction.orthogonal()
 		if side.dot(board.to_screen(_crowded) - from) > 0.0:
 			side = -side
 		middle = (from + to) / 2.0 + side * (reach + 2.0)
-	var inside := Rect2(Vector2.ZERO, board.size).grow(-22.0)
-	return middle.clamp(inside.position, inside.end)
+	var margin := Vector2(extent.x / 2.0 + 8.0, 22.0)
+	return middle.clamp(margin, board.size - margin)

@@ -17,7 +17,7 @@ func place_between(tail: Vec2, head: Vec2) -> void:
 func _has_point(pixel: Vector2) -> bool:
 	var shaft := _shaft()
 	var nearest := Geometry2D.get_closest_point_to_segment(pixel, shaft[0], shaft[1])
-	return pixel.distance_to(nearest) <= REACH
+	return pixel.distance_to(nearest) <= REACH and not _is_on_a_point(pixel)
 
 
 func _draw() -> void:
@@ -32,6 +32,15 @@ func _follow_view() -> void:
 	position = Vector2.ZERO
 	size = _board.size
 	queue_redraw()
+
+
+# Heads and tails, also those of other arrows, come before the shaft on which they lie.
+func _is_on_a_point(pixel: Vector2) -> bool:
+	for handle in _board.handles():
+		var is_point := handle is not ArrowBody
+		if is_point and handle.covers(get_global_transform() * pixel):
+			return true
+	return false
 
 
 func _shaft() -> PackedVector2Array:

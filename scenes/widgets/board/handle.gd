@@ -11,8 +11,11 @@ signal moved(point: Vec2)
 ## A drag or nudge has ended.
 signal released
 
-## Side of the square that takes the touch, in pixels.
-const TOUCH_SIZE := 52.0
+## Every handle in the tree is in this group.
+const GROUP := &"handles"
+
+## Side of the square that takes the touch, in pixels of the drawing: 45 in a window of 800x600.
+const TOUCH_SIZE := 54.0
 
 const _NUDGES: Dictionary[StringName, Vector2] = {
 	&"ui_left": Vector2.LEFT,
@@ -43,9 +46,14 @@ var _grip := Vec2.new()
 func _ready() -> void:
 	size = Vector2(TOUCH_SIZE, TOUCH_SIZE)
 	focus_mode = Control.FOCUS_ALL
+	# Other buttons than the left one are for the board.
+	mouse_filter = Control.MOUSE_FILTER_PASS
 	mouse_default_cursor_shape = Control.CURSOR_MOVE
 	_board = _board_above()
 	_board.view_changed.connect(_follow_view)
+	_board.focus_mode = Control.FOCUS_ALL
+	add_to_group(GROUP)
+	focus_entered.connect(_tie_focus)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
 	mouse_entered.connect(_hover.bind(true))
@@ -56,6 +64,16 @@ func _ready() -> void:
 func place(point: Vec2) -> void:
 	_point = point.copy()
 	_follow_view()
+
+
+## Whether this is the board that the handle lies on.
+func is_on(board: Board) -> bool:
+	return board == _board
+
+
+## Whether the handle takes what is at [param pixel] of the whole screen.
+func covers(pixel: Vector2) -> bool:
+	return get_global_rect().has_point(pixel)
 
 
 func _draw() -> void:
@@ -105,6 +123,7 @@ func _nudge(event: InputEvent) -> void:
 		if event.is_action_pressed(action, true):
 			var step := Vec2.from_vector2(_NUDGES[action])
 			var modified := event as InputEventWithModifiers
+			step.y *= _board.y_sign()
 			step.scale(_board.step_length() * (0.1 if modified and modified.shift_pressed else 1.0))
 			moved.emit(_point.plus(step))
 			released.emit()
@@ -114,6 +133,17 @@ func _nudge(event: InputEvent) -> void:
 func _hover(is_hovered: bool) -> void:
 	_is_hovered = is_hovered
 	queue_redraw()
+
+
+# The engine's own order of the Tab key loses its way below Node2D parts.
+func _tie_focus() -> void:
+	var all := _board.handles()
+	var place := all.find(self)
+	var is_last := place == all.size() - 1
+	var next: Control = _board.find_next_valid_focus() if is_last else all[place + 1]
+	var previous: Control = _board.find_prev_valid_focus() if place == 0 else all[place - 1]
+	focus_next = get_path_to(next)
+	focus_previous = get_path_to(previous)
 
 
 func _follow_view() -> void:

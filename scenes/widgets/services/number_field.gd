@@ -19,11 +19,12 @@ func _ready() -> void:
 	focus_exited.connect(func() -> void: _enter(text))
 
 
-## Shows [param value], unless the student is just typing here.
+## Shows [param value]. What the student is just typing here stays until the value changes.
 func show_number(value: float) -> void:
+	if has_focus() and value == _value:
+		return
 	_value = value
-	if not has_focus():
-		text = NumberText.typed(value)
+	text = NumberText.typed(value)
 
 
 func _enter(typed: String) -> void:

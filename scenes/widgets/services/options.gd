@@ -1,4 +1,4 @@
-class_name Options
+class_name LessonOptions
 extends VBoxContainer
 ## The switches of a lesson, and its ready-made situations.
 

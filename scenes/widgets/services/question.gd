@@ -30,19 +30,20 @@ func show_exercise(exercise: Exercise) -> void:
 	_prompt.text = exercise.prompt
 	_verdict.text = ""
 	_show.disabled = true
+	_show.visible = board_wanted.has_connections()
 	for child in _answers.get_children():
 		child.queue_free()
 	_fields.clear()
-	for title in exercise.answer_titles:
-		_add_field(title)
+	for answer_title in exercise.answer_titles:
+		_add_field(answer_title)
 
 
-func _add_field(title: String) -> void:
+func _add_field(answer_title: String) -> void:
 	var label := Label.new()
-	label.text = title
+	label.text = answer_title
 	label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	var field := LineEdit.new()
-	field.accessibility_name = title
+	field.accessibility_name = answer_title
 	field.custom_minimum_size.x = 90.0
 	field.text_submitted.connect(func(_text: String) -> void: _check_answer())
 	_answers.add_child(label)

@@ -29,7 +29,7 @@ func show_result(
 func show_texts(key: String, texts: PackedStringArray) -> void:
 	texts.resize(columns)
 	if not _rows.has(key):
-		_rows[key] = get_child_count() / columns
+		_rows[key] = _rows.size() + 1
 		_add_row(texts)
 	for column in columns:
 		(get_child(_rows[key] * columns + column) as Label).text = texts[column]

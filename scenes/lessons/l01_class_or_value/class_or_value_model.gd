@@ -1,0 +1,57 @@
+class_name ClassOrValueModel
+extends RefCounted
+## A Vec2 is an object that names share; Godot's Vector2 is a value that every name has for itself.
+##
+## Both are given the same place, the same second name and the same change.
+
+## The Vec2 that the student moves.
+var position := Vec2.new(2.0, -3.0)
+## A second name: for the same Vec2, or with [member copies] for a copy.
+var old := position
+## The Vector2 that the student moves: the same numbers with 32 bits.
+var value := Vector2(2.0, -3.0)
+## A second name for the Vector2: always a copy.
+var old_value := value
+## Whether [method remember] takes a copy of the Vec2 instead of giving it a second name.
+var copies := false
+
+
+## What a student writes to keep the old place: `old = position`, with [member copies]
+## `old = position.copy()`; for the Vector2 `old_value = value`.
+func remember() -> void:
+	old = position.copy() if copies else position
+	old_value = value
+
+
+## Moves Vec2 and Vector2 to the same place, by changing them.
+func move_to(x: float, y: float) -> void:
+	position.set_xy(x, y)
+	value = Vector2(x, y)
+
+
+## Whether both names stand for one Vec2.
+func is_shared() -> bool:
+	return old == position
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"position": PackedFloat64Array([position.x, position.y]),
+		"old": PackedFloat64Array([old.x, old.y]),
+		"old_value": old_value,
+		"is_shared": is_shared(),
+		"copies": copies,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var place: PackedFloat64Array = stored["position"]
+	var old_place: PackedFloat64Array = stored["old"]
+	var was_shared: bool = stored["is_shared"]
+	position = Vec2.new(place[0], place[1])
+	old = position if was_shared else Vec2.new(old_place[0], old_place[1])
+	value = position.to_vector2()
+	old_value = stored["old_value"]
+	copies = stored["copies"]

@@ -1,0 +1,35 @@
+class_name ClassOrValueTexts
+## The sentences and lines of code of the lesson on objects and values, step by step.
+
+
+## One sentence a step, translated.
+static func sentences(copies: bool) -> PackedStringArray:
+	var second := _translate("A second name: old = position. For a Vec2 it is the same object.")
+	var third := _translate(
+		"Drag position: the Vec2 moves under both names. The Vector2 leaves old behind."
+	)
+	if copies:
+		second = _translate("A copy: old = position.copy(). Now there are two Vec2.")
+		third = _translate("Drag position: now the old Vec2 stays behind, as the Vector2 does.")
+	return [
+		_translate("A place as a Vec2, our object, and as a Vector2, Godot's value. Drag either."),
+		second,
+		third,
+		_translate("Why Vec2 at all? It has 64 bits. Add 0.1 a million times and compare."),
+	]
+
+
+## The lines of all steps up to [param step], counted from 0.
+static func lines(copies: bool, step: int) -> PackedStringArray:
+	var found: PackedStringArray = ["{position} = Vec2.new( {x} , {y} )", "{value} = Vector2(…)"]
+	if step >= 1:
+		found.append("{old} = {position}.copy()" if copies else "{old} = {position}")
+		found.append("{old_value} = {value}")
+	if step >= 2:
+		found.append("{position} {position_pair}   {old} {old_pair}")
+		found.append("{value} {value_pair}   {old_value} {old_value_pair}")
+	return found
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

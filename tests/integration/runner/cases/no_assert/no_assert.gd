@@ -1,0 +1,9 @@
+extends GutTest
+
+
+func test_that_asserts() -> void:
+	assert_true(true)
+
+
+func test_that_does_not() -> void:
+	pass

@@ -1,0 +1,6 @@
+extends GutTest
+
+
+func test_that_forgets_a_node() -> void:
+	var node := Node.new()
+	assert_not_null(node)

@@ -1,0 +1,55 @@
+extends LabTest
+## Only checked text stays true: paths, links and lesson ids in the documents.
+
+const _DOCUMENTS: PackedStringArray = [
+	"README.md",
+	"docs/implementation_notes.md",
+	"docs/model.md",
+	"docs/vec2.md",
+]
+## What a first folder in backticks must be for the text to count as a path of the project.
+const _PATH := "`((?:scripts|scenes|tests|tools|docs|benchmarks|assets)/[\\w./]*)`"
+const _LINK := '\\]\\((?!https?:)([^)#]+)\\)|src="([^"]+)"'
+
+
+func test_every_path_in_backticks_exists() -> void:
+	var checked := 0
+	for document in _DOCUMENTS:
+		for path in _found(document, _PATH):
+			assert_true(_exists(path), "%s names `%s`" % [document, path])
+			checked += 1
+	assert_gt(checked, 10, "paths were found at all")
+
+
+func test_every_link_and_picture_exists() -> void:
+	for document in _DOCUMENTS:
+		for target in _found(document, _LINK):
+			var path := document.get_base_dir().path_join(target)
+			assert_true(_exists(path), "%s links to %s" % [document, target])
+
+
+func test_the_readme_lists_the_lessons_in_their_order() -> void:
+	var listed := _found("README.md", "\\| `(\\w+)` \\| .+ \\|")
+	assert_eq(listed, LessonIndex.ids())
+
+
+func test_every_lesson_has_its_section_for_teachers() -> void:
+	var sections := _found("docs/model.md", "(?m)^## `(\\w+)`")
+	assert_eq(sections, LessonIndex.ids())
+
+
+func _found(document: String, pattern: String) -> PackedStringArray:
+	var found: PackedStringArray = []
+	var text := FileAccess.get_file_as_string("res://" + document)
+	assert_ne(text, "", document + " can be read")
+	for hit in RegEx.create_from_string(pattern).search_all(text):
+		var groups := Array(hit.strings.slice(1)).filter(
+			func(group: String) -> bool: return group != ""
+		)
+		found.append_array(PackedStringArray(groups))
+	return found
+
+
+func _exists(path: String) -> bool:
+	var full := "res://" + path.simplify_path()
+	return FileAccess.file_exists(full) or DirAccess.dir_exists_absolute(full)

@@ -1,0 +1,89 @@
+extends ScreenTest
+## The frame around a lesson: brings what the lesson needs and nothing else, helps, and leaves
+## nothing behind.
+
+const _CLOCK := preload("res://tests/support/lessons/clock.tres")
+const _STILL := preload("res://tests/support/lessons/still.tres")
+
+
+func test_a_lesson_without_needs_has_an_empty_panel() -> void:
+	await open_lesson(_STILL)
+	assert_eq(_services().size(), 0)
+	assert_eq(frame().lesson.services.size(), 0)
+
+
+func test_the_panel_holds_the_needed_services_in_their_order() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons() + [_CLOCK]:
+		await open_lesson(lesson)
+		assert_eq(_services().size(), lesson.needs.size(), lesson.id)
+		for i: int in lesson.needs.size():
+			assert_same(_services()[i], frame().lesson.services[StringName(lesson.needs[i])])
+		screen().free()
+
+
+func test_the_title_shows_number_and_name() -> void:
+	await open_lesson(LessonIndex.lessons()[0])
+	assert_reads("1  " + LessonIndex.lessons()[0].title)
+
+
+func test_the_back_button_leads_to_the_start_screen() -> void:
+	await open_lesson(_STILL)
+	await click_button("Back to the lessons")
+	assert_null(frame())
+	assert_eq(screen().scene_file_path, START_SCREEN)
+
+
+func test_going_back_and_forth_leaves_no_node_and_no_resource_behind() -> void:
+	await _go_back_and_forth()
+	var nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
+	var resources := Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT)
+	for round_trip: int in 3:
+		await _go_back_and_forth()
+	assert_eq(Performance.get_monitor(Performance.OBJECT_NODE_COUNT), nodes)
+	assert_eq(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT), resources)
+	assert_eq(Node.get_orphan_node_ids(), [] as Array[int])
+
+
+func test_the_help_names_the_keys_of_the_frame_and_of_the_services_brought() -> void:
+	await open_lesson(_CLOCK)
+	for part: String in ["Esc back", "R reset", "Ctrl+Z undo", "Tab next part", "P play or pause"]:
+		assert_true(_help().contains(part), part)
+	assert_false(_help().contains("step"), "no steps, no help for them")
+
+
+func test_the_help_shows_a_binding_as_it_is_now() -> void:
+	var old := InputMap.action_get_events(&"lab_reset")
+	var key := InputEventKey.new()
+	key.physical_keycode = KEY_F5
+	InputMap.action_erase_events(&"lab_reset")
+	InputMap.action_add_event(&"lab_reset", key)
+	await open_lesson(_STILL)
+	assert_true(_help().contains("F5 reset"), _help())
+	InputMap.action_erase_events(&"lab_reset")
+	for event: InputEvent in old:
+		InputMap.action_add_event(&"lab_reset", event)
+
+
+func test_the_help_names_the_gamepads_buttons_once_one_is_pressed() -> void:
+	await open_lesson(_STILL)
+	await student.press_pad(JOY_BUTTON_DPAD_DOWN)
+	assert_true(_help().contains("B back"), _help())
+	assert_true(_help().contains("Y reset"), _help())
+	await student.press_key(KEY_F9)
+	assert_true(_help().contains("Esc back"), _help())
+
+
+func _go_back_and_forth() -> void:
+	await open_start_screen()
+	await student.press_key(KEY_ENTER)
+	await student.press(&"lab_back")
+	screen().free()
+	await student.settle()
+
+
+func _services() -> Array[Node]:
+	return frame().get_node("%Services").get_children()
+
+
+func _help() -> String:
+	return (frame().get_node("%Help") as Label).text.replace("\u00a0", " ")

@@ -1,0 +1,80 @@
+extends ScreenTest
+## Play, pause, step and slow in a lesson that only counts the seconds.
+
+const _CLOCK := preload("res://tests/support/lessons/clock.tres")
+const _FRAME_SECONDS := 1.0 / 60.0
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(_CLOCK)
+
+
+func test_time_stands_still_at_first() -> void:
+	assert_eq(_seconds(), 0.0)
+
+
+func test_play_lets_time_pass_and_pause_stops_it() -> void:
+	await click_button("Play or pause")
+	assert_gt(_seconds(), 0.0)
+	await click_button("Play or pause")
+	var stopped := _seconds()
+	await student.settle()
+	assert_eq(_seconds(), stopped)
+
+
+func test_the_key_for_pause_plays_and_pauses() -> void:
+	await student.press(&"lab_pause")
+	assert_gt(_seconds(), 0.0)
+	await student.press(&"lab_pause")
+	var stopped := _seconds()
+	await student.settle()
+	assert_eq(_seconds(), stopped)
+
+
+func test_start_on_the_gamepad_plays() -> void:
+	await student.press_pad(JOY_BUTTON_START)
+	assert_gt(_seconds(), 0.0)
+
+
+func test_one_frame_on_and_one_frame_back() -> void:
+	await click_button("One frame on")
+	assert_almost_eq(_seconds(), _FRAME_SECONDS, 1e-12)
+	await click_button("One frame back")
+	assert_almost_eq(_seconds(), 0.0, 1e-12)
+
+
+func test_a_single_step_pauses() -> void:
+	await click_button("Play or pause")
+	await click_button("One frame on")
+	assert_false(_transport().is_playing)
+	var stopped := _seconds()
+	await student.settle()
+	assert_eq(_seconds(), stopped)
+
+
+# The lesson is told the share of a frame itself, so that nothing is timed.
+func test_slow_motion_runs_at_a_fifth() -> void:
+	watch_signals(_transport())
+	_transport()._process(1.0)
+	assert_signal_emitted_with_parameters(_transport(), "advanced", [1.0])
+	await click_button("Slow motion")
+	_transport()._process(1.0)
+	assert_signal_emitted_with_parameters(_transport(), "advanced", [0.2])
+
+
+func test_the_key_for_slow_switches_slow_motion() -> void:
+	var slow := Screen.button(screen(), "Slow motion")
+	await student.press(&"lab_slow")
+	assert_true(slow.button_pressed)
+	await student.press(&"lab_slow")
+	assert_false(slow.button_pressed)
+
+
+func _transport() -> Transport:
+	return frame().lesson.services[&"transport"] as Transport
+
+
+func _seconds() -> float:
+	var seconds: float = frame().lesson.state()["seconds"]
+	return seconds

@@ -1,0 +1,76 @@
+class_name ScreenTest
+extends LabTest
+## The base of tests that open a screen of the lab in a window of a real size and act on it.
+
+const START_SCREEN := "res://scenes/shell/start_screen.tscn"
+const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
+const _USUAL_SIZE := Vector2i(1280, 720)
+
+## Sits at the window; fresh for each test.
+var student: Student
+
+
+# The test runner's own panel lies on top of everything and would take the clicks.
+func before_all() -> void:
+	for layer: Node in get_tree().root.find_children("*", "CanvasLayer", true, false):
+		(layer as CanvasLayer).hide()
+
+
+func before_each() -> void:
+	student = Student.new(get_tree().root)
+	student.window.size = _USUAL_SIZE
+	student.move_to(Vector2.ZERO)
+
+
+func after_each() -> void:
+	student.window.gui_release_focus()
+	if get_tree().current_scene:
+		get_tree().current_scene.free()
+	await student.settle()
+
+
+## The screen that is open now.
+func screen() -> Control:
+	return get_tree().current_scene as Control
+
+
+func open_start_screen() -> void:
+	await _open((load(START_SCREEN) as PackedScene).instantiate())
+
+
+## Opens a lesson in its frame.
+func open_lesson(lesson: LessonInfo) -> void:
+	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
+	frame.lesson_info = lesson
+	await _open(frame)
+
+
+## The frame that is open now; null on the start screen.
+func frame() -> LessonFrame:
+	return screen() as LessonFrame
+
+
+func resize(size: Vector2i) -> void:
+	student.window.size = size
+	await student.settle()
+
+
+func click_button(text: String) -> void:
+	var button := Screen.button(screen(), text)
+	assert_not_null(button, "a button “%s” is there" % text)
+	if button:
+		await student.click(button)
+
+
+func assert_reads(text: String) -> void:
+	assert_true(Screen.reads(screen(), text), "“%s” can be read" % text)
+
+
+func assert_does_not_read(text: String) -> void:
+	assert_false(Screen.reads(screen(), text), "“%s” is not shown" % text)
+
+
+func _open(scene: Node) -> void:
+	get_tree().root.add_child(scene)
+	get_tree().current_scene = scene
+	await student.settle()

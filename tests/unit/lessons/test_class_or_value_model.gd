@@ -1,0 +1,62 @@
+extends LabTest
+## Objects are shared, values and copies are not; 64 bits against 32.
+
+
+func test_a_second_name_moves_along_with_the_vec2() -> void:
+	var model := ClassOrValueModel.new()
+	model.remember()
+	model.move_to(7.0, 1.0)
+	assert_vec2(model.old, Vec2.new(7.0, 1.0), 0.0)
+	assert_true(model.is_shared())
+
+
+func test_the_vector2_leaves_its_old_value_behind() -> void:
+	var model := ClassOrValueModel.new()
+	model.remember()
+	model.move_to(7.0, 1.0)
+	assert_eq(model.value, Vector2(7.0, 1.0))
+	assert_eq(model.old_value, Vector2(2.0, -3.0))
+
+
+func test_a_copy_stays_behind() -> void:
+	var model := ClassOrValueModel.new()
+	model.copies = true
+	model.remember()
+	model.move_to(7.0, 1.0)
+	assert_vec2(model.old, Vec2.new(2.0, -3.0), 0.0)
+	assert_false(model.is_shared())
+
+
+func test_a_stored_state_comes_back_with_its_sharing() -> void:
+	for copies: bool in [false, true]:
+		var model := ClassOrValueModel.new()
+		model.copies = copies
+		model.remember()
+		model.move_to(4.0, 5.0)
+		var again := ClassOrValueModel.new()
+		again.from_dictionary(model.to_dictionary())
+		assert_eq(again.to_dictionary(), model.to_dictionary())
+		assert_eq(again.is_shared(), not copies)
+
+
+func test_a_million_tenths_miss_by_a_thousand_in_32_bits_and_by_a_millionth_in_64() -> void:
+	var count := 1_000_000
+	assert_almost_eq(TenthSum.with_64_bits(count), TenthSum.exact(count), 2e-6)
+	assert_gt(absf(TenthSum.with_32_bits(count) - TenthSum.exact(count)), 900.0)
+
+
+func test_only_the_shared_vec2_changes_under_its_other_name() -> void:
+	var expected: Dictionary[SharingExercise.Kind, float] = {
+		SharingExercise.Kind.VEC2: 9.0,
+		SharingExercise.Kind.VECTOR2: 3.0,
+		SharingExercise.Kind.COPY: 3.0,
+	}
+	for kind in expected:
+		var exercise := SharingExercise.new(kind, 3, 4, 9)
+		assert_true(exercise.check([expected[kind]]).is_right, exercise.prompt)
+		assert_false(exercise.check([12.0 - expected[kind]]).is_right, exercise.prompt)
+
+
+func test_the_mistake_of_taking_an_assignment_for_a_copy_is_named() -> void:
+	var verdict := SharingExercise.new(SharingExercise.Kind.VEC2, 3, 4, 9).check([3.0])
+	assert_string_contains(verdict.sentence, "second name, not a copy")

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Runs one of the benchmarks. Usage: tools/bench.sh NAME
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "$0")/common.sh"
+
+names() { find "$LAB_ROOT/benchmarks" -maxdepth 1 -name '*.gd' 2>/dev/null | sed 's:.*/::; s:\.gd$::' | sort | tr '\n' ' '; }
+
+if [ $# -ne 1 ] || [ ! -f "$LAB_ROOT/benchmarks/$1.gd" ]; then
+	die 2 "usage: ./lab bench NAME; there are: $(names)"
+fi
+prepare_project
+exec "$godot" --headless --path "$LAB_ROOT" -s "benchmarks/$1.gd" </dev/null

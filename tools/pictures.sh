@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Draws all lessons and keeps the pictures: docs/pictures/<id>.png, and the lesson's card.png for the start screen.
+# Usage: tools/pictures.sh
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "$0")/common.sh"
+
+prepare_project
+# shellcheck disable=SC2046 # one word for each id
+"$LAB_ROOT/tools/draw.sh" "$godot" $(lesson_ids)
+"$godot" --headless --path "$LAB_ROOT" --quit-after 1000 -s tools/keep_pictures.gd </dev/null
