@@ -31,14 +31,22 @@ class LastHitMover:
 		return found
 
 
-## Mistake 26: adds the gravity of the whole frame at its start, before the bounce.
+## Mistake 26: at the bounce the ball has got the gravity of the whole frame already.
 class FullGravityMover:
 	extends WholeFrameMover
 
 	func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 		var bounces: Array[BounceRecord] = []
-		ball.velocity.add(surroundings.gravity.scaled(seconds))
-		move_under(Vec2.new(), ball, seconds, surroundings, bounces)
+		var gravity := surroundings.gravity
+		var motion := FreeFlight.motion(ball.velocity, gravity, seconds)
+		var impact := surroundings.first_impact(ball, motion)
+		if not impact.hit:
+			fly(ball, seconds, gravity)
+			return bounces
+		ball.position = impact.position
+		ball.velocity.add(gravity.scaled(seconds))
+		bounce(ball, impact, surroundings.bounciness, bounces)
+		move_under(Vec2.new(), ball, seconds * (1.0 - impact.time), surroundings, bounces)
 		return bounces
 
 

@@ -84,9 +84,9 @@ static func set_up(number: int, world: SteppedWorld) -> void:
 		6:
 			_fill(world, _BOX + _DIAGONAL, _NONE, 1.0, [_ball(-220, 20, 240, 0, 16)])
 		7:
-			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, _swarm(10, 9))
+			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, _swarm(10, 9, _BOX + _ASSIGNMENT))
 		8:
-			_fill(world, _BOX + _MANY, _DOWN, 1.0, _swarm(50, 6))
+			_fill(world, _BOX + _MANY, _DOWN, 1.0, _swarm(50, 6, _BOX + _MANY))
 		9:
 			_fill(world, _BOX, _DOWN, 1.0, [_ball(-150, -110, 60, 0, 14)])
 
@@ -98,13 +98,17 @@ static func _fill(
 	bounciness: float,
 	balls: Array[Ball]
 ) -> void:
-	var segments: Array[LineSegment] = []
-	for line in lines:
-		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))
-	world.surroundings.set_segments(segments)
+	world.surroundings.set_segments(_segments(lines))
 	world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y))
 	world.surroundings.set_bounciness(bounciness)
 	world.set_balls(balls)
+
+
+static func _segments(lines: Array[Vector4i]) -> Array[LineSegment]:
+	var segments: Array[LineSegment] = []
+	for line in lines:
+		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))
+	return segments
 
 
 static func _ball(x: int, y: int, velocity_x: int, velocity_y: int, radius: int) -> Ball:
@@ -116,13 +120,25 @@ static func _row_of_balls() -> Array[Ball]:
 
 
 # Balls in a sunflower's order, so that none is on top of another, each in a direction of its own.
-static func _swarm(count: int, radius: int) -> Array[Ball]:
+# A place on a line is left out.
+static func _swarm(count: int, radius: int, lines: Array[Vector4i]) -> Array[Ball]:
+	var segments := _segments(lines)
 	var balls: Array[Ball] = []
-	for i in count:
-		var place := Vec2.unit_degrees(137.5 * i).scaled(20.0 * sqrt(i + 0.5))
-		var velocity := Vec2.unit_degrees(222.5 * i).scaled(150.0)
-		balls.append(Ball.new(Vec2.new(place.x * 1.4, place.y), radius, velocity))
+	var i := 0
+	while balls.size() < count:
+		var place := Vec2.unit_degrees(137.5 * i).scaled(18.0 * sqrt(i + 0.5))
+		place.x *= 1.4
+		if _is_clear(place, radius, segments):
+			balls.append(Ball.new(place, radius, Vec2.unit_degrees(222.5 * i).scaled(150.0)))
+		i += 1
 	return balls
+
+
+static func _is_clear(place: Vec2, radius: float, segments: Array[LineSegment]) -> bool:
+	for segment in segments:
+		if segment.closest_point(place).distance_to(place) <= radius:
+			return false
+	return true
 
 
 # Five cells in a row, tilted by the 7-24-25 triangle, so that all numbers are short. The ball in

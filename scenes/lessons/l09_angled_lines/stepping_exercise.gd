@@ -107,8 +107,8 @@ func _ask_moving_away(rng: RandomNumberGenerator) -> void:
 
 
 func _ask_gravity(rng: RandomNumberGenerator) -> void:
-	var speed := rng.randi_range(5, 20)
-	var gravity := rng.randi_range(1, 9) * 5.0
+	var speed := rng.randi_range(20, 40) * 10.0
+	var gravity := rng.randi_range(1, 2) * 5.0
 	var tenths := rng.randi_range(1, 4)
 	var before := speed + gravity * tenths / 5.0
 	prompt = (
