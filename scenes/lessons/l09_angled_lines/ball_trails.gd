@@ -49,6 +49,11 @@ func remove_frame() -> void:
 	queue_redraw()
 
 
+## How many places the trail of one ball has now.
+func length_of(index: int) -> int:
+	return _trails[index].size()
+
+
 func _shorten() -> void:
 	var longest := mini(_MOST_PLACES / maxi(_trails.size(), 1), _LONGEST)
 	if _counts.size() > _LONGEST:
