@@ -16,6 +16,8 @@ var _panel: AngledLinesPanel
 # A screen's frames since the formula was shown: while balls move, numbers change slowly enough to
 # be read.
 var _frames_unshown := 0
+# What was refused last, until it has been told.
+var _problem := ""
 
 @onready var _drawing: AngledLinesDrawing = %Drawing
 @onready var _lines: LineViews = %Lines
@@ -165,7 +167,7 @@ func _take_lines(lines: Array[LineSegment]) -> void:
 
 func _enter_number(name_in_line: String, value: float) -> void:
 	_player.pause()
-	noticed.emit(AngledLinesEntry.enter(_model, name_in_line, value))
+	_problem = AngledLinesEntry.enter(_model, name_in_line, value)
 	_finish()
 
 
@@ -192,6 +194,9 @@ func _toggle_trails() -> void:
 func _finish() -> void:
 	_show_all()
 	edited.emit()
+	# After the edit is stored: that takes older notices away.
+	noticed.emit(_problem)
+	_problem = ""
 
 
 # What the student sees.
@@ -218,6 +223,7 @@ func _show_all() -> void:
 
 # While something is dragged: what was refused is told, and the old state stays.
 func _show_edit(problem: String) -> void:
+	_problem = problem
 	noticed.emit(problem)
 	_drawing.clear_trails(_model)
 	_drawing.show_surroundings(_model)
