@@ -3,7 +3,7 @@
 
 LAB_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 LAB_BUILD=$LAB_ROOT/build
-LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/vec2-lab
+LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-$LAB_BUILD}/.cache}/vec2-lab
 
 GODOT_VERSION=4.6.3
 GODOT_RELEASES=${GODOT_RELEASES:-https://github.com/godotengine/godot-builds/releases/download}

@@ -16,6 +16,7 @@ screen=
 open_screen() {
 	local number
 	need Xvfb xvfb libgl1 libgl1-mesa-dri || exit 2
+	rm -f "$pictures/display"
 	mkfifo "$pictures/display"
 	Xvfb -displayfd 3 -screen 0 1280x1280x24 +extension GLX -nolisten tcp 3>"$pictures/display" >"$pictures/xvfb.log" 2>&1 &
 	screen=$!

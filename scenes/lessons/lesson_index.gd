@@ -14,6 +14,7 @@ const FOLDERS: PackedStringArray = [
 	"l08_reflection",
 	"l09_angled_lines",
 	"l10_line_ends",
+	"l11_more_dimensions",
 ]
 
 

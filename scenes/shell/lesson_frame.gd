@@ -61,6 +61,9 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _input(event: InputEvent) -> void:
+	# A notice stands until the student does the next thing, which may bring another.
+	if event.is_pressed():
+		_show_notice("")
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
@@ -107,7 +110,6 @@ func _store() -> void:
 	var now := lesson.state()
 	if now == _last_state:
 		return
-	_show_notice("")
 	_history.create_action("edit")
 	_history.add_do_method(_show_state.bind(now))
 	_history.add_undo_method(_show_state.bind(_last_state))
@@ -117,12 +119,10 @@ func _store() -> void:
 
 func _show_state(stored: Dictionary) -> void:
 	_last_state = stored
-	_show_notice("")
 	lesson.show_state(stored)
 
 
 func _reset() -> void:
-	_show_notice("")
 	lesson.show_state(lesson.reset_state(_first_state))
 	_store()
 

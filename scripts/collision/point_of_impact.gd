@@ -23,8 +23,7 @@ static func with_line(old_position: Vec2, motion: Vec2, radius: float, line: Lin
 		return Impact.miss(Impact.Outcome.PARALLEL)
 	if approach < 0.0:
 		return Impact.miss(Impact.Outcome.MOVING_AWAY)
-	# The same a / b, with b before it is lost in the difference of two large distances.
-	var time := maxf((old_distance - radius) / approach, 0.0)
+	var time := maxf(share(old_distance, old_distance - approach, radius), 0.0)
 	if time > 1.0:
 		return Impact.miss(Impact.Outcome.TOO_FAR)
 	var position := old_position.plus(motion.scaled(time))

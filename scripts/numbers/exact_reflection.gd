@@ -6,7 +6,8 @@ extends RefCounted
 
 
 ## How far in units [param value] is from v - times (v . n) n, n being the exact unit normal of a
-## line along [param along]: 2 times is the law of reflection, once slides. For a zero along: from v.
+## line along [param along]: 2 times is the law of reflection, once slides. For a zero along it is
+## the distance from v.
 static func error_of(value: Vec2, velocity: Vec2, along: Vec2, times: float) -> float:
 	var normal := Vec2.new(-along.y, along.x)
 	var subtracted := _times_of_normal(velocity, normal, times)

@@ -7,6 +7,11 @@ var exit_code := -1
 var output := ""
 
 
+## False on Windows: test scripts that need `./lab` are skipped there.
+static func is_possible() -> bool:
+	return OS.get_name() != "Windows"
+
+
 ## Runs `./lab` of [param project], a path in `res://`, with the Godot and the test runner that run
 ## this. [param environment] holds `NAME=value`, and overrides.
 static func run(

@@ -22,6 +22,10 @@ func test_neighbours_are_one_unit_apart() -> void:
 	assert_eq(LastPlace.units_between(-5.0 - 12.0 * EPSILON, -5.0), 3.0)
 
 
+func test_the_unit_is_that_of_the_larger_number() -> void:
+	assert_eq(LastPlace.units_between(8.0 - 4.0 * EPSILON, 8.0), 0.5)
+
+
 func test_equal_numbers_are_no_unit_apart() -> void:
 	assert_eq(LastPlace.units_between(0.1, 0.1), 0.0)
 	assert_eq(LastPlace.units_between(0.0, negative_zero()), 0.0)

@@ -10,7 +10,7 @@ extends RefCounted
 ## The line is never tilted further than this, to either side, in degrees.
 const STEEPEST := 45.0
 ## Pixels from the middle of the drawn line to its ends; collisions take it as infinite.
-const HALF_LENGTH := 150.0
+const HALF_LENGTH := 160.0
 ## So many frames are shown before frame 0, unless the ball would overlap there already.
 const FRAMES_BEFORE := 4
 ## So many frames are shown after frame 0.

@@ -8,8 +8,8 @@ extends Exercise
 ## What is asked for.
 enum Kind { NORMAL, UNIT, SCALED }
 
-## Lengths to which a normal is to be scaled, in pixels.
-const _LENGTHS: Array[int] = [20, 30, 50, 60]
+## Lengths to which a normal is to be scaled, in pixels; none is the length of a vector asked about.
+const _LENGTHS: Array[int] = [30, 40, 50, 60]
 
 const _TRIPLES: Array[Vector2i] = [
 	Vector2i(3, 4),

@@ -37,7 +37,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
 	var shadowed := Vec2.new(
 		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
 	)
-	return TurningExercise.new(kind, shadowed, onto)
+	return new(kind, shadowed, onto)
 
 
 static func _random_sign(rng: RandomNumberGenerator) -> int:

@@ -189,7 +189,18 @@ func _finish() -> void:
 
 func _show_all() -> void:
 	var corner := _model.from().plus(_model.ball.position.minus(_model.foot()))
-	fit([_model.line.start, _model.line.end, _model.from(), _model.ball.position, corner])
+	var centre := _model.ball.position
+	var half_radius := Vec2.new(_model.ball.radius / 2.0, _model.ball.radius / 2.0)
+	fit(
+		[
+			_model.line.start,
+			_model.line.end,
+			_model.from(),
+			corner,
+			centre.minus(half_radius),
+			centre.plus(half_radius)
+		]
+	)
 	_nanoseconds["from_p"] = CallTimer.nanoseconds(_model.distance)
 	_nanoseconds["from_start"] = CallTimer.nanoseconds(_model.distance_from_start)
 	_mistakes.show_mistake(_model.mistake)
@@ -206,6 +217,8 @@ func _show_model() -> void:
 		Palette.Role.RIGHT if is_good else Palette.Role.WRONG,
 		LineDistanceTexts.verdict(_model)
 	)
+	var ball_pixel := to_screen(_model.ball.position)
+	_verdict.keep_off([ball_pixel], _model.ball.radius * pixels_per_unit)
 	_show_readout()
 
 

@@ -7,9 +7,7 @@ extends RefCounted
 ## One sentence a step, translated.
 static func sentences(model: LineDistanceModel) -> PackedStringArray:
 	return [
-		_translate(
-			"d leads from a point p of the line to the ball's centre c. Slide p: any will do."
-		),
+		_translate("d leads from a point p of the line to the ball's centre c. Slide p."),
 		_translate("The unit normal n̂ is perpendicular to the line. Its side is the good one."),
 		_translate("The shadow of d on n̂ is the distance of c. Slide p: d changes, this stays."),
 		_translate("Less the radius: the gap. Below 0 is too close, or behind the line."),

@@ -203,9 +203,11 @@ func _finish() -> void:
 
 
 func _show_all() -> void:
-	var points: Array[Vec2] = [
-		_model.line.start, _model.line.end, _model.old_position, _model.new_position
-	]
+	var half_radius := Vec2.new(_model.radius / 2.0, _model.radius / 2.0)
+	var points: Array[Vec2] = [_model.line.start, _model.line.end]
+	for centre: Vec2 in [_model.old_position, _model.new_position]:
+		points.append(centre.plus(half_radius))
+		points.append(centre.minus(half_radius))
 	if _model.mistake != 0 and absf(_model.share_with_mistake()) < _LARGEST_SHOWN_SHARE:
 		points.append(_model.position_with_mistake())
 	fit(points)
@@ -225,6 +227,10 @@ func _show_model() -> void:
 		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,
 		PointOfImpactTexts.verdict(_model)
 	)
+	var places: PackedVector2Array = [
+		to_screen(_model.old_position), to_screen(_model.new_position)
+	]
+	_verdict.keep_off(places, _model.radius * pixels_per_unit)
 	_show_readout()
 
 

@@ -47,7 +47,8 @@ func _draw() -> void:
 
 func _middle_of(each: Name) -> Vector2:
 	var direction := each.direction.to_vector2()
-	var extent := ThemeDB.fallback_font.get_string_size(each.text, 0, -1, _FONT_SIZE)
+	var font := ThemeDB.fallback_font
+	var extent := font.get_string_size(each.text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
 	var half := absf(direction.x) * extent.x / 2.0 + absf(direction.y) * _FONT_SIZE / 2.0
 	var rim := maxf(each.radius * board.pixels_per_unit, 4.0)
 	return board.to_screen(each.centre) + direction * (rim + half + 8.0)

@@ -186,8 +186,8 @@ func _run(seconds: float) -> void:
 
 func _finish() -> void:
 	_show_all()
-	noticed.emit(_model.refusal())
 	edited.emit()
+	noticed.emit(_model.refusal())
 
 
 # What the student sees.

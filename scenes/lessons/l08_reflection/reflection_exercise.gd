@@ -47,7 +47,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ReflectionExercise:
 	# Even, so that half of it is whole; never as long as the part along the line.
 	var coming := line.scaled(_STRETCHES[rng.randi_range(0, _STRETCHES.size() - 1)])
 	coming.add(across.scaled(-2 if kind != Kind.AWAY else 2))
-	return ReflectionExercise.new(kind, coming, line, 0.5 if kind == Kind.BOUNCE else 1.0)
+	return new(kind, coming, line, 0.5 if kind == Kind.BOUNCE else 1.0)
 
 
 func _ask_bounce() -> void:

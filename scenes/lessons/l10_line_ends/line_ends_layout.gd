@@ -17,7 +17,7 @@ static func _in_two_columns(size: Vector2) -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 3.0 * _GAP) / 2.0, (size.y - 4.0 * _GAP) / 3.0)
 	for i in 6:
-		var corner := Vector2(i % 2, i / 2) * (cell + Vector2(_GAP, _GAP))
+		var corner := Vector2(i % 2, floori(i / 2.0)) * (cell + Vector2(_GAP, _GAP))
 		found.append(Rect2(corner + Vector2(_GAP, _GAP), cell))
 	return found
 
@@ -26,7 +26,7 @@ static func _with_large_field(size: Vector2) -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 4.0 * _GAP) / 4.0, (size.y - 3.0 * _GAP) / 2.0)
 	for i in 4:
-		var corner := Vector2(i % 2, i / 2) * (cell + Vector2(_GAP, _GAP))
+		var corner := Vector2(i % 2, floori(i / 2.0)) * (cell + Vector2(_GAP, _GAP))
 		found.append(Rect2(corner + Vector2(_GAP, _GAP), cell))
 	var left := 2.0 * cell.x + 3.0 * _GAP
 	var graph_height := minf(size.y * 0.32, 200.0)

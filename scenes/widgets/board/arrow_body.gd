@@ -3,7 +3,7 @@ extends Handle
 ## The shaft of an arrow as a handle: dragging it moves the arrow as it is, without turning it.
 
 ## Pixels beside the shaft that still count as touching it.
-const REACH := 16.0
+const REACH := 27.0
 
 var _along := Vec2.new()
 

@@ -84,6 +84,19 @@ func test_every_number_can_be_typed() -> void:
 	assert_eq(_share(), -0.5)
 
 
+# Any error in the log fails the test.
+func test_the_largest_numbers_are_taken_and_drawn_without_an_error() -> void:
+	for title: String in [
+		"radius of the ball",
+		"x of the ball's centre",
+		"place of p: 0 at the start, 1 at the end",
+		"y of the line's end"
+	]:
+		await student.enter(field(title), "1e100")
+	assert_eq(_ball(), PackedFloat64Array([1e100, -35, 1e100]))
+	assert_eq(_share(), 1e100)
+
+
 func test_a_radius_below_0_is_refused_with_a_sentence() -> void:
 	await student.enter(field("radius of the ball"), "-4")
 	assert_reads("radius must be above 0")
@@ -112,7 +125,7 @@ func test_steps_build_the_formula_up_and_back() -> void:
 	for left: int in [6, 5, 4, 3]:
 		await student.press(&"lab_step_back")
 		assert_eq(formula_lines().size(), left)
-	assert_reads("Slide p: any will do")
+	assert_reads("d leads from a point p of the line")
 	await student.press(&"lab_step")
 	assert_eq(formula_lines().size(), 4)
 
@@ -183,10 +196,17 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.settle()
 	await student.enter(field("d · n̂ ="), "123456")
 	assert_reads("not it yet")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	assert_ne(_line(), PackedFloat64Array([200, 150, -200, -150]))
 	await student.enter(field("d · n̂ ="), _typed_distance())
 	assert_reads("Right: ")
+
+
+func test_the_card_gives_way_to_the_ball() -> void:
+	var card := frame().lesson.get_node("%Verdict") as Control
+	await drag(Vec2.new(120, -35), Vec2.new(-100, 140))
+	assert_false(card.get_global_rect().has_point(place(-100, 140)))
+	assert_true(frame().lesson.get_global_rect().encloses(card.get_global_rect()))
 
 
 func test_at_every_size_nothing_is_logged_and_the_card_stays_on_the_board() -> void:

@@ -162,7 +162,7 @@ func test_a_mistake_that_the_shot_hides_brings_its_own_shot() -> void:
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:
-	(frame().lesson.services[&"question"] as Question).folded = false
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
 	await student.settle()
 	await student.enter(_number_field("t ="), "-7.25")
 	assert_reads("is not it yet")

@@ -107,6 +107,24 @@ func test_a_typed_speed_makes_the_motion_longer() -> void:
 	assert_has(formula_lines(), "t = a / b = 40 / 800 = 0.05")
 
 
+# Any error in the log fails the test.
+func test_the_largest_numbers_are_taken_and_drawn_without_an_error() -> void:
+	for title: String in [
+		"radius of the ball",
+		"speed in pixels per frame",
+		"x of the old position",
+		"y of the line's end"
+	]:
+		await student.enter(field(title), "1e100")
+	assert_eq(numbers("old"), PackedFloat64Array([1e100, -58]))
+	assert_eq(numbers("new"), PackedFloat64Array([6, 1e100]))
+
+
+func test_old_and_new_at_the_same_place_divide_nothing() -> void:
+	await student.enter(field("y of the new position"), "-58")
+	assert_reads("b = 0: nothing to divide by")
+
+
 func test_a_speed_of_0_is_refused_with_a_sentence() -> void:
 	await student.enter(field("speed in pixels per frame"), "0")
 	assert_reads("The speed must be above 0")
@@ -178,7 +196,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.settle()
 	await student.enter(field("t ="), "123456")
 	assert_reads("not it yet")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	var model := PointOfImpactModel.new()
 	model.from_dictionary(frame().lesson.state())
 	await student.enter(field("t ="), str(snappedf(model.share(), 0.01)))

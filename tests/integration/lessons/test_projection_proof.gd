@@ -28,7 +28,7 @@ func test_the_second_step_turns_the_drawing() -> void:
 	await _go_to_first_step()
 	await student.press(&"lab_step")
 	var shares: Array[float] = []
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		shares.append(_share())
 		if _share() == 1.0:
 			break
@@ -68,7 +68,7 @@ func test_the_graph_turns_the_drawing_and_step_back_is_exact() -> void:
 func test_play_turns_from_the_start_and_stops_at_the_end() -> void:
 	await click_button("Play or pause")
 	assert_lt(_share(), 1.0)
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		if _share() == 1.0:
 			break
 		await get_tree().process_frame
@@ -133,7 +133,7 @@ func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
-	var question := frame().lesson.services[&"question"] as Question
+	var question := frame().lesson.services[&"question"] as FoldableContainer
 	question.folded = false
 	await student.settle()
 	var field := Screen.named(question, "a′.x =") as LineEdit
@@ -155,7 +155,7 @@ func _go_to_first_step() -> void:
 
 
 func _finish_turning() -> void:
-	for frame: int in _PATIENCE:
+	for wait: int in _PATIENCE:
 		if not frame().lesson.is_processing():
 			break
 		await get_tree().process_frame
@@ -203,7 +203,7 @@ func _share() -> float:
 
 
 # The first or second pair of numbers in the question.
-func _vector_in_prompt(question: Question, index: int) -> Vec2:
+func _vector_in_prompt(question: FoldableContainer, index: int) -> Vec2:
 	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
 	var pair := RegEx.create_from_string("\\((-?\\d+), (-?\\d+)\\)").search_all(prompt)[index]
 	return Vec2.new(pair.get_string(1).to_float(), pair.get_string(2).to_float())

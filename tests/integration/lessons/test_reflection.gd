@@ -40,7 +40,7 @@ func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
 func test_play_flies_the_ball_and_stops_at_the_end() -> void:
 	await click_button("Play or pause")
 	var transport := frame().lesson.services[&"transport"] as Transport
-	for frame: int in 1200:
+	for wait: int in 1200:
 		if not transport.is_playing:
 			break
 		await get_tree().process_frame
@@ -170,7 +170,7 @@ func test_reset_brings_the_lecture_back() -> void:
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
-	var question := frame().lesson.services[&"question"] as Question
+	var question := frame().lesson.services[&"question"] as FoldableContainer
 	question.folded = false
 	await student.settle()
 	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
@@ -184,7 +184,7 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	assert_reads("Right:")
 
 
-func _answer(question: Question, answer: Vec2) -> void:
+func _answer(question: FoldableContainer, answer: Vec2) -> void:
 	await student.enter(Screen.named(question, "x =") as LineEdit, "%.3f" % answer.x)
 	await student.enter(Screen.named(question, "y =") as LineEdit, "%.3f" % answer.y)
 

@@ -5,6 +5,10 @@ extends LabTest
 const PROJECT := "res://build/runner_test"
 
 
+func should_skip_script() -> bool:
+	return not LabCommand.is_possible()
+
+
 func before_all() -> void:
 	var script := ProjectSettings.globalize_path("res://tests/integration/runner/make_project.sh")
 	OS.execute("bash", [script, ProjectSettings.globalize_path(PROJECT)])
@@ -66,6 +70,12 @@ func test_a_pending_test_is_red() -> void:
 	var lab := _run("pending")
 	assert_eq(lab.exit_code, 1)
 	assert_string_contains(lab.output, "test_to_come is pending: not yet")
+
+
+func test_a_skipped_script_is_red() -> void:
+	var lab := _run("skipped")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_skipped.gd was skipped")
 
 
 func test_no_test_at_all_is_red() -> void:
