@@ -38,6 +38,7 @@ func start() -> void:
 	_connect_player()
 	_connect_board()
 	_connect_panel(formula)
+	_panel.ask()
 	resized.connect(_show_all)
 	_show_all()
 

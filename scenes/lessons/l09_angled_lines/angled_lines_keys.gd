@@ -5,7 +5,7 @@ extends Node
 ## The student pressed the key of this action.
 signal pressed(action: StringName)
 
-## All of them, for the help line.
+## Those for the help line; a button on the screen names the others.
 const ACTIONS: Array[StringName] = [
 	&"lab_step",
 	&"lab_step_back",
@@ -17,8 +17,6 @@ const ACTIONS: Array[StringName] = [
 	&"lab_next_bounciness",
 	&"lab_toggle_trails",
 	&"lab_clear_trails",
-	&"lab_fetch_balls",
-	&"lab_delete_line",
 	&"lab_preset_0",
 	&"lab_preset_1",
 	&"lab_preset_2",
@@ -30,6 +28,9 @@ const ACTIONS: Array[StringName] = [
 	&"lab_preset_8",
 	&"lab_preset_9",
 ]
+
+## Keys that a button names: of the line with the focus, and in the panel.
+const ON_BUTTONS: Array[StringName] = [&"lab_fetch_balls", &"lab_delete_line"]
 
 ## These go on while the key is held.
 const HELD: Array[StringName] = [&"lab_step", &"lab_step_back"]
@@ -60,7 +61,7 @@ static func preset(action: StringName) -> int:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	for action in ACTIONS:
+	for action: StringName in ACTIONS + ON_BUTTONS:
 		if event.is_action_pressed(action, action in HELD, true):
 			pressed.emit(action)
 			get_viewport().set_input_as_handled()

@@ -27,11 +27,10 @@ func _init(services: Dictionary[StringName, Control]) -> void:
 	_options.add_switch("trails", tr("Trails"))
 	for i in AngledLinesScenes.TITLES.size():
 		_options.add_preset(str(i), "%d %s" % [i, tr(AngledLinesScenes.TITLES[i])])
-	_options.add_preset("fetch", tr("Fetch balls"))
+	_options.add_preset("fetch", tr("F Fetch"))
 	for mistake in AngledLinesMistakes.all():
 		_mistakes.add_mistake(mistake)
 	_question.exercise_wanted.connect(ask)
-	ask()
 
 
 ## Shows what [param model] is set to, and begins to compare anew.

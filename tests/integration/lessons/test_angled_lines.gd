@@ -53,7 +53,7 @@ func test_delete_takes_the_line_with_the_focus() -> void:
 
 func test_the_button_beside_a_line_deletes_it() -> void:
 	await student.click_at(place(120, 20))
-	await click_button("Delete this line")
+	await click_button("Delete this line: Delete")
 	assert_eq(_lines().size(), 9)
 	assert_does_not_read("✕")
 
