@@ -27,6 +27,14 @@ func lay(from: Vec2, to: Vec2, side: Vec2) -> void:
 	queue_redraw()
 
 
+## Pixels that the label takes up beside the line.
+func label_room() -> float:
+	var extent := ThemeDB.fallback_font.get_string_size(
+		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
+	)
+	return absf(_side.x) * extent.x + absf(_side.y) * _FONT_SIZE + 16.0
+
+
 func _draw() -> void:
 	var color := Palette.color(role)
 	var side := _side.to_vector2()
@@ -40,7 +48,7 @@ func _draw() -> void:
 	_draw_tip(from, to, color)
 	_draw_tip(to, from, color)
 	if label:
-		_draw_label((from + to) / 2.0, side, color)
+		_draw_label(_middle_of_visible_part(from, to), side, color)
 
 
 func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
@@ -53,10 +61,25 @@ func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
 
 
 func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
-	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
-	var reach := absf(side.x) * extent.x / 2.0 + absf(side.y) * _FONT_SIZE / 2.0 + 8.0
+	var extent := ThemeDB.fallback_font.get_string_size(
+		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
+	)
+	var reach := label_room() / 2.0
 	var room := Rect2(Vector2.ZERO, board.size).grow_individual(
 		-extent.x / 2.0 - 6.0, -18.0, -extent.x / 2.0 - 6.0, -18.0
 	)
 	draw_text(label, (middle + side * reach).clamp(room.position, room.end), color, _FONT_SIZE)
+
+
+# The middle of what the board shows of the line between two points in its own pixels.
+func _middle_of_visible_part(from: Vector2, to: Vector2) -> Vector2:
+	var first := 0.0
+	var last := 1.0
+	var way := to - from
+	for axis: int in 2:
+		if way[axis] != 0.0:
+			var at_start := -from[axis] / way[axis]
+			var at_end := (board.size[axis] - from[axis]) / way[axis]
+			first = maxf(first, minf(at_start, at_end))
+			last = minf(last, maxf(at_start, at_end))
+	return from + way * (first + last) / 2.0

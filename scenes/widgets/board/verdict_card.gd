@@ -2,6 +2,10 @@ class_name VerdictCard
 extends PanelContainer
 ## What a lesson finds, in words, with a coloured ball that also carries a sign.
 
+const _MARGIN := 12
+
+var _corner := PRESET_BOTTOM_LEFT
+
 @onready var _ball: Control = %Ball
 @onready var _sign: Label = %Sign
 @onready var _words: Label = %Words
@@ -13,4 +17,24 @@ func show_verdict(sign_text: String, role: Palette.Role, words: PackedStringArra
 	_sign.text = sign_text
 	_ball.self_modulate = Palette.color(role)
 	_words.text = "\n".join(words)
-	reset_size()
+	_settle()
+
+
+## Stands at the lower left, or, where that would cover one of [param pixels] of the board or what
+## is up to [param around] pixels beside it, at the upper right.
+func keep_off(pixels: PackedVector2Array, around: float) -> void:
+	var board_size := get_parent_area_size()
+	var place := Rect2(_MARGIN, board_size.y - size.y - _MARGIN, size.x, size.y).grow(around)
+	_corner = PRESET_BOTTOM_LEFT
+	for pixel in pixels:
+		if place.has_point(pixel):
+			_corner = PRESET_TOP_RIGHT
+	_settle()
+
+
+# Makes the card as small as its words allow and puts it into its corner.
+func _settle() -> void:
+	var is_right := _corner == PRESET_TOP_RIGHT
+	grow_horizontal = GROW_DIRECTION_BEGIN if is_right else GROW_DIRECTION_END
+	grow_vertical = GROW_DIRECTION_END if is_right else GROW_DIRECTION_BEGIN
+	set_anchors_and_offsets_preset(_corner, PRESET_MODE_MINSIZE, _MARGIN)
