@@ -8,6 +8,12 @@ const FOLDERS: PackedStringArray = [
 	"l02_easy_bounce",
 	"l03_normals",
 	"l04_dot_product",
+	"l05_projection_proof",
+	"l06_line_distance",
+	"l07_point_of_impact",
+	"l08_reflection",
+	"l10_line_ends",
+	"l11_more_dimensions",
 ]
 
 

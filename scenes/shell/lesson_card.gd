@@ -2,6 +2,12 @@ class_name LessonCard
 extends Button
 ## A lesson on the start screen: picture, number, title and one line.
 
+@onready var _margin: MarginContainer = $Margin
+
+
+func _ready() -> void:
+	_margin.minimum_size_changed.connect(_grow)
+
 
 ## Shows what the index knows of [param lesson].
 func show_lesson(lesson: LessonInfo) -> void:
@@ -9,3 +15,9 @@ func show_lesson(lesson: LessonInfo) -> void:
 	(%Summary as Label).text = lesson.summary
 	(%Picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
 	accessibility_name = "%s. %s" % [(%Title as Label).text, tr(lesson.summary)]
+
+
+# A button does not grow by itself with what lies in it.
+func _grow() -> void:
+	var needed := _margin.get_combined_minimum_size().y
+	custom_minimum_size.y = maxf(custom_minimum_size.y, needed)

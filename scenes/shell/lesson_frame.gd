@@ -61,6 +61,9 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _input(event: InputEvent) -> void:
+	# A notice stands until the student does the next thing, which may bring another.
+	if event.is_pressed():
+		_show_notice("")
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
@@ -87,23 +90,20 @@ func _add_service(need: String) -> Control:
 	_help_actions.append_array(actions)
 	_services.add_child(service)
 	if service is FoldableContainer:
-		(service as FoldableContainer).folding_changed.connect(_show_unfolded.bind(service))
+		service.resized.connect(_keep_in_view.bind(service))
 	return service
 
 
-func _show_unfolded(is_folded: bool, service: Control) -> void:
-	# The panel knows the unfolded size only when it has been laid out once more.
-	await get_tree().process_frame
-	await get_tree().process_frame
-	if not is_folded:
-		_panel.ensure_control_visible(service)
+# What has been unfolded, or has grown by a verdict, is scrolled into view.
+func _keep_in_view(service: FoldableContainer) -> void:
+	if not service.folded:
+		_panel.ensure_control_visible.call_deferred(service)
 
 
 func _store() -> void:
 	var now := lesson.state()
 	if now == _last_state:
 		return
-	_show_notice("")
 	_history.create_action("edit")
 	_history.add_do_method(_show_state.bind(now))
 	_history.add_undo_method(_show_state.bind(_last_state))
@@ -113,12 +113,10 @@ func _store() -> void:
 
 func _show_state(stored: Dictionary) -> void:
 	_last_state = stored
-	_show_notice("")
 	lesson.show_state(stored)
 
 
 func _reset() -> void:
-	_show_notice("")
 	lesson.show_state(_first_state)
 	_store()
 

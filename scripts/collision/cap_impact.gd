@@ -20,7 +20,8 @@ static func with_point(
 	if c <= 0.0:
 		return Impact.at(0.0, old_position.copy(), difference.normalized(), feature)
 	var discriminant := b * b - 4.0 * a * c
-	if discriminant < 0.0:
+	# Below 0 the ball stays farther away than its radius; at 0 it only grazes the point.
+	if discriminant <= 0.0:
 		return Impact.miss(Impact.Outcome.PASSES_BESIDE)
 	var time := (-b - sqrt(discriminant)) / (2.0 * a)
 	if time > 1.0:

@@ -14,6 +14,8 @@ var student: Student
 func before_all() -> void:
 	for layer: Node in get_tree().root.find_children("*", "CanvasLayer", true, false):
 		(layer as CanvasLayer).hide()
+	# The engine sleeps that long after each frame when no window is drawn.
+	OS.low_processor_usage_mode_sleep_usec = 1
 
 
 func before_each() -> void:
@@ -40,9 +42,9 @@ func open_start_screen() -> void:
 
 ## Opens a lesson in its frame.
 func open_lesson(lesson: LessonInfo) -> void:
-	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
-	frame.lesson_info = lesson
-	await _open(frame)
+	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
+	new_frame.lesson_info = lesson
+	await _open(new_frame)
 
 
 ## The frame that is open now; null on the start screen.

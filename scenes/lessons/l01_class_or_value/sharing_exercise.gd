@@ -25,9 +25,7 @@ func _init(kind: Kind, first_x: int, y: int, later_x: int) -> void:
 ## A question with numbers drawn from [param rng].
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SharingExercise:
 	var first_x := rng.randi_range(1, 9)
-	return SharingExercise.new(
-		kind, first_x, rng.randi_range(10, 19), first_x + rng.randi_range(1, 9)
-	)
+	return new(kind, first_x, rng.randi_range(10, 19), first_x + rng.randi_range(1, 9))
 
 
 func _sentence(kind: Kind) -> String:

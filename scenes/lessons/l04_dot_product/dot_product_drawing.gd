@@ -55,6 +55,7 @@ func _lay_shadow(model: DotProductModel) -> void:
 func _lay_rest(model: DotProductModel) -> void:
 	var tail := model.shadowed_tail()
 	var corner := tail.plus(model.vector_projection())
+	_rest.label = "%s − p" % DotProductTexts.shadowed_symbol(model)
 	_rest.lay(corner, model.shadowed_head())
 	_rest.keep_label_from(tail)
 	_right_angle.measure(corner, model.onto().negated(), model.rest())

@@ -3,7 +3,7 @@ extends Handle
 ## The shaft of an arrow as a handle: dragging it moves the arrow as it is, without turning it.
 
 ## Pixels beside the shaft that still count as touching it.
-const REACH := 16.0
+const REACH := 27.0
 
 var _along := Vec2.new()
 
@@ -38,7 +38,7 @@ func _follow_view() -> void:
 func _is_on_a_point(pixel: Vector2) -> bool:
 	for handle in _board.handles():
 		var is_point := handle is not ArrowBody
-		if is_point and handle.get_global_rect().has_point(get_global_transform() * pixel):
+		if is_point and handle.covers(get_global_transform() * pixel):
 			return true
 	return false
 

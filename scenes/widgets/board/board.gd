@@ -23,6 +23,8 @@ const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 
 ## The widest step of the grid; more where a lesson draws short vectors.
 @export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
+## Pixels that [method fit] leaves free along every edge; less on a small board.
+@export_range(8.0, 100.0, 1.0, "suffix:px") var margin := 56.0
 
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
@@ -103,7 +105,6 @@ func fit(points: Array[Vec2]) -> void:
 	for point in points:
 		reach_x = maxf(reach_x, absf(point.x))
 		reach_y = maxf(reach_y, absf(point.y))
-	var margin := 56.0
 	var room := (size / 2.0 - Vector2(margin, margin)).max(Vector2(40.0, 40.0))
 	var narrowest_unit := minf(room.x / maxf(reach_x, 1e-300), room.y / maxf(reach_y, 1e-300))
 	var is_tiny := maxf(reach_x, reach_y) < 1.0 and maxf(reach_x, reach_y) > 0.0

@@ -63,4 +63,4 @@ func _move_body(tail: Vec2) -> void:
 
 func _name(handle: Handle, title: String) -> void:
 	handle.role = role
-	handle.title = title % tr(label)
+	handle.title = (title % tr(label)).strip_edges()

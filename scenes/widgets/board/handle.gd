@@ -14,8 +14,8 @@ signal released
 ## Every handle in the tree is in this group.
 const GROUP := &"handles"
 
-## Side of the square that takes the touch, in pixels.
-const TOUCH_SIZE := 52.0
+## Side of the square that takes the touch, in pixels of the drawing: 45 of the window at 800x600.
+const TOUCH_SIZE := 54.0
 
 const _NUDGES: Dictionary[StringName, Vector2] = {
 	&"ui_left": Vector2.LEFT,
@@ -69,6 +69,11 @@ func place(point: Vec2) -> void:
 ## Whether this is the board that the handle lies on.
 func is_on(board: Board) -> bool:
 	return board == _board
+
+
+## Whether the handle takes what is at [param pixel] of the whole screen.
+func covers(pixel: Vector2) -> bool:
+	return get_global_rect().has_point(pixel)
 
 
 func _draw() -> void:
@@ -133,10 +138,10 @@ func _hover(is_hovered: bool) -> void:
 # The engine's own order of the Tab key loses its way below Node2D parts.
 func _tie_focus() -> void:
 	var all := _board.handles()
-	var place := all.find(self)
-	var is_last := place == all.size() - 1
-	var next: Control = _board.find_next_valid_focus() if is_last else all[place + 1]
-	var previous: Control = _board.find_prev_valid_focus() if place == 0 else all[place - 1]
+	var here := all.find(self)
+	var is_last := here == all.size() - 1
+	var next: Control = _board.find_next_valid_focus() if is_last else all[here + 1]
+	var previous: Control = _board.find_prev_valid_focus() if here == 0 else all[here - 1]
 	focus_next = get_path_to(next)
 	focus_previous = get_path_to(previous)
 

@@ -4,8 +4,10 @@ extends PanelContainer
 
 const _MARGIN := 12
 
-var _corner := PRESET_BOTTOM_LEFT
+## The corner of the board where the card stands, until [method keep_off] chooses one.
+@export var home_corner := PRESET_BOTTOM_LEFT
 
+@onready var _corner := home_corner
 @onready var _ball: Control = %Ball
 @onready var _sign: Label = %Sign
 @onready var _words: Label = %Words
@@ -36,5 +38,6 @@ func keep_off(pixels: PackedVector2Array, around: float) -> void:
 func _settle() -> void:
 	var is_right := _corner == PRESET_TOP_RIGHT
 	grow_horizontal = GROW_DIRECTION_BEGIN if is_right else GROW_DIRECTION_END
-	grow_vertical = GROW_DIRECTION_END if is_right else GROW_DIRECTION_BEGIN
+	var is_low := _corner == PRESET_BOTTOM_LEFT
+	grow_vertical = GROW_DIRECTION_BEGIN if is_low else GROW_DIRECTION_END
 	set_anchors_and_offsets_preset(_corner, PRESET_MODE_MINSIZE, _MARGIN)

@@ -28,15 +28,18 @@ var _shown: PackedStringArray = []
 @onready var _name_finder := RegEx.create_from_string(_NAME_PATTERN)
 
 
-## The name stands for a symbol such as `b̂`.
+## The name stands for a symbol such as `b̂`. To change what it stands for, define it anew and then
+## show the lines.
 func define_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
+	if _symbols.get(name_in_line, "") != symbol:
+		_shown.clear()
 	_symbols[name_in_line] = symbol
-	_roles[name_in_line] = role
+	_set_role(name_in_line, role)
 
 
 ## The name stands for a number. With a [param title], such as `x of a`, it can be typed over.
 func define_number(name_in_line: String, role: Palette.Role, title: String = "") -> void:
-	_roles[name_in_line] = role
+	_set_role(name_in_line, role)
 	if title:
 		_editable[name_in_line] = title
 
@@ -71,6 +74,13 @@ func set_text(name_in_line: String, text: String) -> void:
 ## Puts a pair of numbers, such as (4, -3), into every line that names it.
 func set_vector(name_in_line: String, vector: Vec2) -> void:
 	set_text(name_in_line, NumberText.pair(vector.x, vector.y))
+
+
+# Lines that are shown already have to be laid out anew when a colour in them changes.
+func _set_role(name_in_line: String, role: Palette.Role) -> void:
+	if _roles.get(name_in_line, role) != role:
+		_shown.clear()
+	_roles[name_in_line] = role
 
 
 func _add_line(line: String) -> void:

@@ -1,5 +1,5 @@
 extends DotProductTest
-## Clicks, drags, touches and nudges on the board of the lesson on the dot product.
+## Clicks, drags and touches on the board of the lesson on the dot product.
 
 
 func test_the_lesson_starts_with_the_vectors_of_the_lecture() -> void:
@@ -66,52 +66,6 @@ func test_dragging_the_body_moves_the_whole_vector() -> void:
 	assert_a([-2, 3, 5, 4])
 
 
-func test_arrow_keys_nudge_what_has_the_focus_by_one_unit() -> void:
-	Screen.named(screen(), "Head of a").grab_focus()
-	await student.press(&"ui_right")
-	await student.press(&"ui_up")
-	await student.press(&"ui_up")
-	assert_a([0, 0, 8, -1])
-
-
-func test_the_gamepads_cross_nudges_too() -> void:
-	Screen.named(screen(), "Head of b").grab_focus()
-	await student.press_pad(JOY_BUTTON_DPAD_LEFT)
-	await student.press_pad(JOY_BUTTON_DPAD_DOWN)
-	assert_b([0, 0, 7, -5])
-
-
-func test_shift_and_an_arrow_key_nudge_by_a_tenth() -> void:
-	Screen.named(screen(), "Head of a").grab_focus()
-	await student.press_key(KEY_LEFT, true)
-	assert_almost_eq(ends("a")[2], 6.9, 1e-12)
-	assert_almost_eq(ends("a")[3], 1.0, 0.0)
-
-
-func test_the_tab_key_goes_through_all_handles_and_on_to_the_panel() -> void:
-	Screen.button(screen(), "Reset the lesson").grab_focus()
-	var reached := await _names_with_focus(student.press_key.bind(KEY_TAB))
-	var handles: Array[String] = [
-		"Whole vector a", "Tail of a", "Head of a", "Whole vector b", "Tail of b", "Head of b"
-	]
-	assert_eq(reached, handles + ["Step back"] as Array[String])
-
-
-func test_tab_with_shift_goes_back_through_all_handles() -> void:
-	Screen.button(screen(), "Step back").grab_focus()
-	var reached := await _names_with_focus(student.press_key.bind(KEY_TAB, true))
-	var handles: Array[String] = [
-		"Head of b", "Tail of b", "Whole vector b", "Head of a", "Tail of a", "Whole vector a"
-	]
-	assert_eq(reached, handles + ["Reset the lesson"] as Array[String])
-
-
-func test_a_click_on_the_board_takes_the_focus_from_a_field() -> void:
-	await student.click(field("x of a"))
-	await student.click_at(place(-3, -4))
-	assert_false(field("x of a").has_focus())
-
-
 func test_a_head_that_lies_on_the_other_arrow_can_be_taken() -> void:
 	await drag(Vec2.new(7, 1), Vec2.new(4, -3))
 	assert_a([0, 0, 4, -3], "a lies along b now")
@@ -133,10 +87,13 @@ func test_a_head_behind_the_graph_can_be_taken() -> void:
 	assert_a([0, 0, 0, 4])
 
 
-# What has the focus, by the names that a screen reader says, after each of seven steps.
-func _names_with_focus(go_on: Callable) -> Array[String]:
-	var reached: Array[String] = []
-	for step: int in 7:
-		await go_on.call()
-		reached.append(student.window.gui_get_focus_owner().accessibility_name)
-	return reached
+func test_a_head_and_a_shaft_are_taken_21_window_pixels_beside_their_middle() -> void:
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(800, 600), Vector2i(720, 1280)]:
+		await resize(size)
+		var beside := Vector2(3, -21) / student.window.get_final_transform().get_scale()
+		await student.drag(place(7, 1) + beside, place(7, 4) + beside)
+		assert_a([0, 0, 7, 4], "head at %s" % size)
+		await student.press(&"lab_reset")
+		await student.drag(place(3.5, 0.5) + beside, place(3.5, 3.5) + beside)
+		assert_a([0, 3, 7, 4], "shaft at %s" % size)
+		await student.press(&"lab_reset")

@@ -161,7 +161,7 @@ func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:
 	assert_reads("y points down: above the floor is floor − r.")
 	await student.enter(field("y ="), str(floor_y - radius))
 	assert_reads("Right:")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	assert_eq(numbers("pivot"), PackedFloat64Array([0, floor_y]))
 
 

@@ -155,7 +155,7 @@ func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:
 	assert_reads("That is the opposite normal (y, −x): −90°.")
 	await _answer(-y, x)
 	assert_reads("Right:")
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	assert_eq(numbers("line"), PackedFloat64Array([0, 0, x, y]))
 
 

@@ -1,0 +1,57 @@
+class_name LineEndsMistakeTexts
+## What the bug gallery of this lesson says of each mistake, and which shot shows it best.
+
+const _TELLING_PRESETS: Dictionary[int, String] = {
+	18: "Head-on",
+	19: "Miss",
+	20: "Head-on",
+	22: "End",
+	23: "End",
+}
+
+
+## All mistakes of this lesson, translated.
+static func infos() -> Array[MistakeInfo]:
+	return [
+		MistakeInfo.new(
+			18,
+			_translate("D squared instead of rooted"),
+			_translate("(−b − D²) / 2a: a gap of 8 at speed 10 gives t = −64799, not 0.5."),
+			"test_cap_impact.test_the_discriminant_is_rooted_not_squared"
+		),
+		MistakeInfo.new(
+			19,
+			_translate("negative D not tested"),
+			_translate(
+				"The root of D < 0 is NaN, and so are time, place and normal: no ball left."
+			),
+			"test_cap_impact.test_a_near_miss_has_no_time_and_no_normal"
+		),
+		MistakeInfo.new(
+			20,
+			_translate("time from the new position"),
+			_translate("t counted from the new position but added to the old: −0.5, not 0.5."),
+			"test_cap_impact.test_the_time_counts_from_the_old_position"
+		),
+		MistakeInfo.new(
+			22,
+			_translate("end tested too late"),
+			_translate("Above the line AFTER the frame is not above it at the impact."),
+			"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame"
+		),
+		MistakeInfo.new(
+			23,
+			_translate("line without ends"),
+			_translate("Infinite, no caps or one-sided: compare the four small fields, marked ✗."),
+			"test_segment_impact.test_an_infinite_line_is_not_a_segment"
+		),
+	]
+
+
+## The preset whose shot goes visibly wrong with the mistake [param number].
+static func telling_preset(number: int) -> String:
+	return _TELLING_PRESETS[number]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

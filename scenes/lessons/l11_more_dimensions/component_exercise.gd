@@ -1,0 +1,96 @@
+class_name ComponentExercise
+extends Exercise
+## Asks for a dot product of three or four whole-number components, or for the component that makes
+## the angle right.
+
+## What is asked for.
+enum Kind { DOT, MISSING }
+
+## The vectors of the question, three or four components each.
+var a: PackedFloat64Array
+var b: PackedFloat64Array
+
+
+## A question on the vectors [param one] and [param other], which are equally long; for
+## [constant Kind.MISSING] the last component of a is 1 or -1, and that of b is asked for.
+func _init(kind: Kind, one: PackedFloat64Array, other: PackedFloat64Array) -> void:
+	a = one
+	b = other
+	if kind == Kind.DOT:
+		_ask_dot()
+	else:
+		_ask_missing()
+
+
+## A question with components drawn from [param rng], none of them 0; three or four of them.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
+	var dimension := rng.randi_range(3, 4)
+	var one := _random_list(dimension, rng)
+	var other := _random_list(dimension, rng)
+	if kind == Kind.MISSING:
+		one[dimension - 1] = 1.0 if one[dimension - 1] > 0.0 else -1.0
+	return ComponentExercise.new(kind, one, other)
+
+
+## Lays the vectors of the question into [param model].
+func lay(model: MoreDimensionsModel) -> void:
+	model.has_four = a.size() == MoreDimensionsModel.MOST
+	for i in a.size():
+		model.a[i] = a[i]
+		model.b[i] = b[i]
+
+
+static func _random_list(dimension: int, rng: RandomNumberGenerator) -> PackedFloat64Array:
+	var found: PackedFloat64Array = []
+	for i in dimension:
+		found.append(rng.randi_range(1, 6) * (1 if rng.randi_range(0, 1) == 1 else -1))
+	return found
+
+
+func _ask_dot() -> void:
+	prompt = tr("a = %s, b = %s. What is a · b?") % [_text(a, a.size()), _text(b, b.size())]
+	answer_titles = ["a · b ="]
+	var right := ComponentLists.dot(a, b)
+	right_answer = [right]
+	var last := a.size() - 1
+	add_mistake([right - a[last] * b[last]], tr("The last component counts, too."))
+	add_mistake([-right], tr("The sign is wrong: unlike signs make a product negative."))
+	add_mistake([_sum_of_sizes()], tr("The signs are missing: some products are negative."))
+	add_mistake([_sum(a) * _sum(b)], tr("Multiply first, component by component; then add."))
+	add_mistake([_sum(a) + _sum(b)], tr("The components are multiplied, not added."))
+
+
+func _ask_missing() -> void:
+	var last := a.size() - 1
+	var known := ComponentLists.dot(a.slice(0, last), b.slice(0, last))
+	var wanted := -known / a[last]
+	b[last] = wanted
+	var question := tr("a = %s, b = %s. Which last component of b makes a right angle?")
+	prompt = question % [_text(a, a.size()), _text(b, last)]
+	answer_titles = [tr("last of b =")]
+	right_answer = [wanted]
+	add_mistake([-wanted], tr("The sign is wrong: the products must add up to 0."))
+	add_mistake([-a[last]], tr("Not the opposite of a's: all products together must be 0."))
+	add_mistake([0.0], tr("Then a · b is %s, not 0.") % NumberText.short(known))
+
+
+func _sum_of_sizes() -> float:
+	var sum := 0.0
+	for i in a.size():
+		sum += absf(a[i] * b[i])
+	return sum
+
+
+static func _sum(list: PackedFloat64Array) -> float:
+	var sum := 0.0
+	for component in list:
+		sum += component
+	return sum
+
+
+# The first so many components in parentheses, a question mark for each of the others.
+static func _text(list: PackedFloat64Array, known: int) -> String:
+	var parts: PackedStringArray = []
+	for i in list.size():
+		parts.append(NumberText.short(list[i]) if i < known else "?")
+	return "(%s)" % ", ".join(parts)

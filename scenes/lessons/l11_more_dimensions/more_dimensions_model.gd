@@ -1,0 +1,122 @@
+class_name MoreDimensionsModel
+extends RefCounted
+## Two vectors of three or four components, and the one dot product that serves them all.
+
+## What the sign of the dot product says of the angle.
+enum Side { OBTUSE = -1, RIGHT = 0, ACUTE = 1 }
+
+## So many components are kept; with three, the last one does not count.
+const MOST := 4
+## No component is larger in size than this, so that products stay exact enough to be compared.
+const LARGEST := 1e6
+## No component but 0 is smaller in size than this.
+const SMALLEST := 1e-6
+
+## The components of both vectors, in units; always [constant MOST] of them.
+var a: PackedFloat64Array = [4.0, -3.0, 2.0, 1.0]
+var b: PackedFloat64Array = [2.0, -4.0, -1.0, 3.0]
+## True for four components, false for three.
+var has_four := false
+## From where the three axes are looked at.
+var view := Axonometry.new()
+
+
+## How many components count: 3 or 4.
+func dimension() -> int:
+	return MOST if has_four else MOST - 1
+
+
+## The components of a that count.
+func counted_a() -> PackedFloat64Array:
+	return a.slice(0, dimension())
+
+
+## The components of b that count.
+func counted_b() -> PackedFloat64Array:
+	return b.slice(0, dimension())
+
+
+## a . b, in square units.
+func dot() -> float:
+	return ComponentLists.dot(counted_a(), counted_b())
+
+
+## What each component adds to the dot product, in square units.
+func products() -> PackedFloat64Array:
+	var found: PackedFloat64Array = []
+	for i in dimension():
+		found.append(a[i] * b[i])
+	return found
+
+
+## The length of a, in units.
+func length_of_a() -> float:
+	return ComponentLists.length(counted_a())
+
+
+## The length of b, in units.
+func length_of_b() -> float:
+	return ComponentLists.length(counted_b())
+
+
+## The cosine of the angle, -1..1; 0 where one of the vectors is zero and there is no angle.
+func cosine() -> float:
+	var lengths := length_of_a() * length_of_b()
+	return dot() / lengths if lengths > 0.0 else 0.0
+
+
+## The cosine to about 100 bits; null where there is no angle.
+func exact_cosine() -> DoubleDouble:
+	var squares := ComponentLists.exact_dot(counted_a(), counted_a())
+	squares = squares.times(ComponentLists.exact_dot(counted_b(), counted_b()))
+	if squares.high == 0.0:
+		return null
+	return ComponentLists.exact_dot(counted_a(), counted_b()).divided(squares.square_root())
+
+
+## The angle between both in degrees, 0..180; 90 where there is none.
+func angle_degrees() -> float:
+	return Vec2.rad_to_deg(acos(clampf(cosine(), -1.0, 1.0)))
+
+
+## Whether the angle is acute, right or obtuse, by the sign of the dot product alone.
+func side() -> Side:
+	return int(signf(dot())) as Side
+
+
+## Puts [param value] into a component, counted from 0, of the vector [param letter], `a` or `b`.
+## "" if it was taken; else one sentence with the value and what is allowed, and nothing changes.
+func set_component(letter: String, index: int, value: float) -> String:
+	var size := absf(value)
+	if size > LARGEST or (size < SMALLEST and size > 0.0):
+		var sentence := TranslationServer.translate(
+			"%s cannot be: a component is 0, or from 1e-6 to 1e6 in size."
+		)
+		return sentence % NumberText.short(value)
+	if letter == "a":
+		a[index] = value
+	else:
+		b[index] = value
+	return ""
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"a": a.duplicate(),
+		"b": b.duplicate(),
+		"has_four": has_four,
+		"view": PackedFloat64Array([view.yaw, view.pitch]),
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var components_of_a: PackedFloat64Array = stored["a"]
+	var components_of_b: PackedFloat64Array = stored["b"]
+	a = components_of_a.duplicate()
+	b = components_of_b.duplicate()
+	has_four = stored["has_four"]
+	var angles: PackedFloat64Array = stored["view"]
+	view.yaw = angles[0]
+	view.pitch = angles[1]

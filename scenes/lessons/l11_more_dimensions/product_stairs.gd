@@ -1,0 +1,96 @@
+class_name ProductStairs
+extends Control
+## The sum of the products as stairs: each product goes up or down from where the last one ended,
+## and the last stair ends at the dot product.
+
+const _MARGIN_TOP := 40.0
+const _MARGIN_BOTTOM := 30.0
+const _FONT_SIZE := 17
+
+var _products: PackedFloat64Array = []
+var _shows_sum := true
+
+
+func _ready() -> void:
+	resized.connect(queue_redraw)
+	accessibility_name = tr("The products added up")
+
+
+## Shows [param products], and their sum where [param shows_sum].
+func show_products(products: PackedFloat64Array, shows_sum: bool) -> void:
+	_products = products
+	_shows_sum = shows_sum
+	queue_redraw()
+
+
+func _draw() -> void:
+	draw_style_box(get_theme_stylebox(&"panel", &"PanelCard"), Rect2(Vector2.ZERO, size))
+	_write(tr("The products added up"), Vector2(size.x / 2.0, 22.0), Palette.Role.QUIET)
+	var axis := _pixel(0.0)
+	draw_line(Vector2(12.0, axis), Vector2(size.x - 12.0, axis), Palette.AXIS, 1.5)
+	var sum := 0.0
+	for i in _products.size():
+		_draw_stair(i, sum, sum + _products[i], _role_of(_products[i]), _text_of(_products[i]))
+		_write_below(i, "%d" % (i + 1))
+		sum += _products[i]
+	if _shows_sum:
+		_draw_stair(_products.size(), 0.0, sum, Palette.Role.INK, NumberText.short(sum))
+		_write_below(_products.size(), "a · b")
+
+
+static func _role_of(product: float) -> Palette.Role:
+	return Palette.Role.REST if product < 0.0 else Palette.Role.PROJECTION
+
+
+static func _text_of(product: float) -> String:
+	var text := NumberText.short(product)
+	return text if product < 0.0 else "+" + text
+
+
+func _draw_stair(index: int, from: float, to: float, role: Palette.Role, text: String) -> void:
+	var color := Palette.color(role)
+	var top := minf(_pixel(from), _pixel(to))
+	var bottom := maxf(_pixel(from), _pixel(to))
+	var middle := _middle_of(index)
+	var half := minf(_column() * 0.3, 26.0)
+	var area := Rect2(middle - half, top, 2.0 * half, maxf(bottom - top, 2.0))
+	draw_rect(area, Color(color, 0.25))
+	draw_rect(area, color, false, 2.0)
+	if index < _products.size() and (_shows_sum or index < _products.size() - 1):
+		var next := Vector2(_middle_of(index + 1) - half, _pixel(to))
+		draw_dashed_line(Vector2(middle + half, _pixel(to)), next, Palette.AXIS, 1.5, 4.0)
+	_write(text, Vector2(middle, top - 8.0), role)
+
+
+func _write_below(index: int, text: String) -> void:
+	_write(text, Vector2(_middle_of(index), size.y - 10.0), Palette.Role.QUIET)
+
+
+func _column() -> float:
+	return size.x / (_products.size() + 1)
+
+
+func _middle_of(index: int) -> float:
+	return _column() * (index + 0.5)
+
+
+# The pixel from above at which a value stands; highest and lowest stair fit in between.
+func _pixel(value: float) -> float:
+	var lowest := 0.0
+	var highest := 0.0
+	var sum := 0.0
+	for product in _products:
+		sum += product
+		lowest = minf(lowest, sum)
+		highest = maxf(highest, sum)
+	var span := maxf(highest - lowest, 1e-300)
+	var height := size.y - _MARGIN_TOP - _MARGIN_BOTTOM - 24.0
+	return _MARGIN_TOP + 16.0 + (highest - value) / span * height
+
+
+func _write(text: String, middle: Vector2, role: Palette.Role) -> void:
+	var font := get_theme_default_font()
+	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
+	var start := middle - Vector2(extent.x / 2.0, 0.0)
+	var color := Palette.color(role)
+	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)

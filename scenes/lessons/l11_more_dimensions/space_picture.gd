@@ -1,0 +1,94 @@
+class_name SpacePicture
+extends Board
+## Both vectors in space: heads that can be dragged in the plane of the picture, axes that turn with
+## a drag on the empty board.
+
+## The student wants the head of a vector, `a` or `b`, to be seen at [param point] of the picture.
+signal head_moved(letter: String, point: Vec2)
+## The student turns the view by these angles, in radians.
+signal turned(yaw: float, pitch: float)
+## A drag or nudge of a head has ended.
+signal head_released
+
+## Radians for each pixel of a drag.
+const _TURN_PER_PIXEL := 0.01
+const _AXIS_NAMES: PackedStringArray = ["x", "y", "z"]
+
+var _reach := 1.0
+# Where the drag that turns the view was last; null while there is none.
+var _grip: Vec2
+
+@onready var _axes: Array[Arrow] = [%XAxis, %YAxis, %ZAxis]
+@onready var _arrow_of_a: Arrow = %ArrowOfA
+@onready var _arrow_of_b: Arrow = %ArrowOfB
+@onready var _head_of_a: Handle = %HeadOfA
+@onready var _head_of_b: Handle = %HeadOfB
+@onready var _drops: Array[Arrow] = [%DropOfA, %DropOfB]
+@onready var _floors: Array[Arrow] = [%FloorOfA, %FloorOfB]
+
+
+func _ready() -> void:
+	super()
+	_head_of_a.title = tr("Head of %s") % "a"
+	_head_of_b.title = tr("Head of %s") % "b"
+	_head_of_a.moved.connect(func(point: Vec2) -> void: head_moved.emit("a", point))
+	_head_of_b.moved.connect(func(point: Vec2) -> void: head_moved.emit("b", point))
+	_head_of_a.released.connect(head_released.emit)
+	_head_of_b.released.connect(head_released.emit)
+	pointed.connect(_turn)
+	released.connect(_let_go)
+	resized.connect(_fit)
+
+
+## Chooses the scale so that both vectors of [param model] are seen from every side.
+func fit_model(model: MoreDimensionsModel) -> void:
+	_reach = 1.0
+	for i in 3:
+		_reach = maxf(_reach, maxf(absf(model.a[i]), absf(model.b[i])))
+	_fit()
+
+
+## Shows the first three components of both vectors of [param model].
+func show_model(model: MoreDimensionsModel) -> void:
+	var view := model.view
+	for i in 3:
+		var end: PackedFloat64Array = [0.0, 0.0, 0.0]
+		end[i] = _reach * 1.15
+		_axes[i].label = _AXIS_NAMES[i]
+		_axes[i].lay(Vec2.new(), view.seen_at(end[0], end[1], end[2]))
+	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
+	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)
+
+
+## Lights up what has the colour of [param role].
+func light(role: Palette.Role) -> void:
+	_arrow_of_a.lit = role == Palette.Role.A
+	_arrow_of_b.lit = role == Palette.Role.B
+
+
+# An arrow alone could lie anywhere in depth: its shadow on the floor y = 0 says where.
+func _lay(
+	view: Axonometry, vector: PackedFloat64Array, arrow: Arrow, handle: Handle, index: int
+) -> void:
+	var head := view.seen_at(vector[0], vector[1], vector[2])
+	var foot := view.seen_at(vector[0], 0.0, vector[2])
+	arrow.lay(Vec2.new(), head)
+	handle.place(head)
+	_floors[index].lay(Vec2.new(), foot)
+	_drops[index].lay(foot, head)
+
+
+func _fit() -> void:
+	fit([Vec2.new(_reach * 1.3, _reach * 1.3)] as Array[Vec2])
+
+
+func _turn(at: Vec2, _button: MouseButton) -> void:
+	if _grip:
+		var way := at.minus(_grip).scaled(pixels_per_unit * _TURN_PER_PIXEL)
+		turned.emit(-way.x, way.y)
+	_grip = at.copy()
+
+
+func _let_go() -> void:
+	_grip = null
+	head_released.emit()

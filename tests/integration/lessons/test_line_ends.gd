@@ -1,0 +1,257 @@
+extends ScreenTest
+## The lesson on line ends, driven as a student does: the same shot in five fields.
+
+const _START := [-6.0, -8.0, 6.0, 16.0, 5.0]
+const _SMALL_FIELDS: Array[String] = [
+	"InfiniteOneSided", "InfiniteTwoSided", "SegmentOneSided", "SegmentTwoSided"
+]
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"line_ends"))
+
+
+func test_the_first_sight_tells_what_happens_in_each_field() -> void:
+	assert_eq(_words("InfiniteOneSided"), "passes through from behind")
+	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.198")
+	assert_eq(_words("SegmentOneSided"), "passes beside, cuts the end")
+	assert_eq(_words("SegmentTwoSided"), "passes beside, cuts the end")
+	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
+
+
+func test_dragging_the_shot_in_one_field_moves_it_in_all() -> void:
+	for field_name: String in _SMALL_FIELDS + (["RoundCaps"] as Array[String]):
+		var before := _numbers("shot")
+		await _drag(field_name, before[0] + before[2], before[1] + before[3], 3.0, -1.0)
+		assert_eq(_numbers("shot"), _with_head(before, 3.0, -1.0), field_name)
+		assert_eq(_ball_place("SegmentTwoSided"), _ball_place("SegmentOneSided"))
+		await student.press(&"lab_undo")
+
+
+func test_dragging_the_ball_keeps_the_head_where_it_is() -> void:
+	await _drag("RoundCaps", -6, -8, -10, -6)
+	assert_eq(_numbers("shot"), PackedFloat64Array([-10, -6, 10, 14, 5]))
+
+
+func test_dragging_an_end_moves_the_line_in_all_fields() -> void:
+	await _drag("SegmentTwoSided", 13, 8, 10, -2)
+	assert_eq(_numbers("line"), PackedFloat64Array([1, 3, 10, -2]))
+
+
+func test_a_left_click_aims_and_a_right_click_moves_the_ball() -> void:
+	await student.click_at(_place("RoundCaps", -12, 6))
+	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, -6, 14, 5]))
+	await student.click_at(_place("RoundCaps", -10, 10), MOUSE_BUTTON_RIGHT)
+	assert_eq(_numbers("shot"), PackedFloat64Array([-10, 10, -6, 14, 5]))
+
+
+func test_arrow_keys_nudge_the_shot() -> void:
+	Screen.named(_field("RoundCaps"), "Head of v").grab_focus()
+	await student.press(&"ui_left")
+	await student.press(&"ui_up")
+	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, 5, 15, 5]))
+
+
+func test_the_tab_key_reaches_the_handles_of_one_field_only() -> void:
+	for field_name: String in _SMALL_FIELDS:
+		assert_eq(Screen.named(_field(field_name), "Head of v").focus_mode, Control.FOCUS_NONE)
+	var handle := Screen.named(_field("RoundCaps"), "Start of line")
+	assert_eq(handle.focus_mode, Control.FOCUS_ALL)
+
+
+func test_typed_numbers_move_the_shot_and_the_line() -> void:
+	await student.enter(_number_field("x of v"), "8")
+	await student.enter(_number_field("radius"), "3")
+	await student.enter(_number_field("y of B"), "-2.5")
+	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, 8, 16, 3]))
+	assert_eq(_numbers("line"), PackedFloat64Array([1, 3, 13, -2.5]))
+
+
+func test_a_radius_that_cannot_be_is_refused_and_nothing_is_lost() -> void:
+	await student.enter(_number_field("radius"), "-2")
+	assert_reads("A radius of −2 cannot be: it goes from 0.001 to 1e6.")
+	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+
+
+func test_a_line_without_length_is_refused() -> void:
+	await _drag("RoundCaps", 13, 8, 1, 3)
+	assert_reads("The line must be at least 0.001 long: its ends must differ.")
+	assert_gt(Vec2.new(_numbers("line")[2] - 1.0, _numbers("line")[3] - 3.0).length(), 0.5)
+
+
+func test_undo_redo_and_reset() -> void:
+	await student.enter(_number_field("x of v"), "8")
+	await student.press(&"lab_undo")
+	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+	await student.press(&"lab_redo")
+	assert_eq(_numbers("shot")[2], 8.0)
+	await student.press(&"lab_reset")
+	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+
+
+func test_the_steps_bring_one_kind_of_line_after_the_other() -> void:
+	var counts: Array[int] = []
+	for step: int in 7:
+		counts.push_front(_visible_fields())
+		await student.press(&"lab_step_back")
+	assert_eq(counts, [1, 2, 4, 5, 5, 5, 5] as Array[int])
+
+
+func test_the_graph_and_the_roots_come_with_their_steps() -> void:
+	await student.press(&"lab_step_back")
+	assert_true(_part("Second").visible)
+	assert_has(_formula_lines(), "t₁ = (−b − √D) / 2a = (436 − 144) / 584 = 0.5")
+	await student.press(&"lab_step_back")
+	assert_false(_part("First").visible)
+	assert_true((frame().lesson.find_child("Graph") as Control).visible)
+	await student.press(&"lab_step_back")
+	assert_false((frame().lesson.find_child("Graph") as Control).visible)
+
+
+func test_a_near_miss_says_that_there_is_no_root() -> void:
+	await click_button("Miss")
+	assert_has(_formula_lines(), "D < 0: no root. This end is not touched.")
+	assert_false(_part("First").visible)
+
+
+func test_playing_flies_the_ball_and_stops_at_the_end_of_the_frame() -> void:
+	await student.press(&"lab_pause")
+	assert_lt(_time(), 1.0, "it begins anew")
+	for i: int in 400:
+		if not _transport().is_playing:
+			break
+		await get_tree().process_frame
+	assert_eq(_time(), 1.0)
+
+
+func test_a_step_back_and_on_ends_at_the_same_place() -> void:
+	var end := _ball_place("RoundCaps")
+	await click_button("One frame back")
+	assert_ne(_ball_place("RoundCaps"), end)
+	await click_button("One frame on")
+	assert_eq(_ball_place("RoundCaps"), end)
+
+
+func test_a_drag_pauses() -> void:
+	await student.press(&"lab_pause")
+	await _drag("RoundCaps", 0, 8, 2, 4)
+	assert_false(_transport().is_playing)
+
+
+func test_each_mistake_names_itself_and_its_wrong_time() -> void:
+	var wrong: Dictionary[String, String] = {
+		"Mistake 18": "t = −736269",
+		"Mistake 19": "t = NaN",
+		"Mistake 20": "t = −0.5",
+		"Mistake 22": "t = 0.19753",
+		"Mistake 23": "t = 0.19753",
+	}
+	for heading: String in wrong:
+		await _pick_mistake(heading)
+		assert_string_contains(_words("RoundCaps"), "✗ the wrong ball: " + wrong[heading])
+		await student.press(&"lab_reset")
+	assert_false(_part("WrongBall").visible)
+
+
+func test_a_mistake_that_the_shot_hides_brings_its_own_shot() -> void:
+	await _pick_mistake("Mistake 19")
+	assert_eq(_numbers("shot"), PackedFloat64Array([-9, -7, 16, 12, 3]))
+	await student.press(&"lab_undo")
+	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+
+
+func test_a_question_is_answered_and_shown_on_the_board() -> void:
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
+	await student.settle()
+	await student.enter(_number_field("t ="), "-7.25")
+	assert_reads("is not it yet")
+	await click_button("Show on board")
+	assert_eq(_words("RoundCaps").begins_with("bounces on the end"), true)
+	var time := _words("RoundCaps").get_slice(" = ", 1)
+	await student.enter(_number_field("t ="), time)
+	assert_reads("Right: %s." % time)
+
+
+func test_all_fields_keep_the_shot_in_sight_at_every_size() -> void:
+	for window_size: Vector2i in [Vector2i(1280, 720), Vector2i(720, 1280), Vector2i(800, 600)]:
+		await resize(window_size)
+		for field_name: String in _SMALL_FIELDS + (["RoundCaps"] as Array[String]):
+			var board := _board(field_name)
+			var inside := Rect2(Vector2.ZERO, board.size)
+			var radius := Vec2.new(5, 5)
+			for corner: Vec2 in [Vec2.new(-6, -8).minus(radius), Vec2.new(0, 8).plus(radius)]:
+				assert_true(inside.has_point(board.to_screen(corner)), field_name)
+
+
+func _field(field_name: String) -> LineEndsField:
+	return frame().lesson.find_child(field_name) as LineEndsField
+
+
+func _board(field_name: String) -> Board:
+	return _field(field_name).get_node("%Board") as Board
+
+
+func _part(part_name: String) -> CanvasItem:
+	return _field("RoundCaps").get_node("%" + part_name) as CanvasItem
+
+
+func _place(field_name: String, x: float, y: float) -> Vector2:
+	var board := _board(field_name)
+	return board.get_global_transform() * board.to_screen(Vec2.new(x, y))
+
+
+func _drag(field_name: String, x: float, y: float, to_x: float, to_y: float) -> void:
+	await student.drag(_place(field_name, x, y), _place(field_name, to_x, to_y))
+
+
+func _words(field_name: String) -> String:
+	return (_field(field_name).get_node("%Words") as Label).text.replace("\u00a0=\u00a0", " = ")
+
+
+func _numbers(key: String) -> PackedFloat64Array:
+	var held: PackedFloat64Array = frame().lesson.state()[key]
+	return held
+
+
+func _time() -> float:
+	return frame().lesson.state()["time"]
+
+
+func _with_head(shot: PackedFloat64Array, x: float, y: float) -> PackedFloat64Array:
+	return [shot[0], shot[1], x - shot[0], y - shot[1], shot[4]]
+
+
+func _ball_place(field_name: String) -> String:
+	var ball := _field(field_name).get_node("%Ball") as BallView
+	return str(ball.get(&"_centre"))
+
+
+func _number_field(title: String) -> LineEdit:
+	return Screen.named(screen(), title) as LineEdit
+
+
+func _formula_lines() -> PackedStringArray:
+	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
+
+
+func _transport() -> Transport:
+	return frame().lesson.services[&"transport"] as Transport
+
+
+func _visible_fields() -> int:
+	var count := 0
+	for field_name: String in _SMALL_FIELDS + (["RoundCaps"] as Array[String]):
+		count += 1 if _field(field_name).visible else 0
+	return count
+
+
+func _pick_mistake(heading: String) -> void:
+	var list := frame().lesson.services[&"mistakes"].get_node("%List") as OptionButton
+	list.grab_focus()
+	await student.press(&"ui_accept")
+	for i: int in list.item_count + 1:
+		var focused := list.get_popup().get_focused_item()
+		if focused < 0 or not list.get_item_text(focused).begins_with(heading):
+			await student.press(&"ui_down")
+	await student.press(&"ui_accept")

@@ -1,0 +1,135 @@
+extends ScreenTest
+## The lesson on more dimensions, driven as a student does.
+
+const _HALF_A_HANDLE := Vector2(Handle.TOUCH_SIZE, Handle.TOUCH_SIZE) / 2.0
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"more_dimensions"))
+
+
+func test_the_first_sight_is_an_acute_angle_in_space() -> void:
+	assert_reads("a · b > 0\nthe angle is below 90°")
+	assert_has(_formula_lines(), "= 8 + 12 + (−2) = 18")
+	assert_has(_formula_lines(), "α = 43.16°")
+	assert_true(_part("Picture").visible)
+
+
+func test_the_presets_show_all_three_signs() -> void:
+	await click_button("Right angle")
+	assert_reads("a · b = 0\na right angle")
+	await click_button("Obtuse")
+	assert_reads("a · b < 0\nthe angle is above 90°")
+	await click_button("Acute")
+	assert_reads("a · b > 0\nthe angle is below 90°")
+
+
+func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
+	await click_button("Four components")
+	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3")
+	assert_has(_formula_lines(), "= 8 + 12 + (−2) + 3 = 21")
+	assert_false(_part("Picture").visible)
+	assert_not_null(Screen.named(screen(), "Component 4 of a"))
+
+
+func test_typed_components_are_taken() -> void:
+	await student.enter(_field("Component 3 of b"), "-2.5")
+	assert_eq(_numbers("b"), PackedFloat64Array([2, -4, -2.5, 3]))
+	assert_has(_formula_lines(), "= 8 + 12 + (−5) = 15")
+
+
+func test_a_component_that_cannot_be_is_refused() -> void:
+	await student.enter(_field("Component 1 of a"), "1e7")
+	assert_reads("1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.")
+	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+
+
+func test_dragging_the_end_of_a_bar_changes_its_component_only() -> void:
+	var handle := _part("Bars").get_node("%B2") as Control
+	var from := handle.get_global_rect().get_center()
+	var unit := (_part("Bars") as ComponentBars).pixels_per_unit
+	await student.drag(from, from - Vector2(0.0, 3.0 * unit))
+	assert_eq(_numbers("b"), PackedFloat64Array([2, -1, -1, 3]))
+	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+
+
+func test_arrow_keys_nudge_a_bar_by_one() -> void:
+	(_part("Bars").get_node("%A1") as Control).grab_focus()
+	await student.press(&"ui_up")
+	await student.press(&"ui_left")
+	assert_eq(_numbers("a"), PackedFloat64Array([5, -3, 2, 1]))
+
+
+func test_dragging_a_head_moves_it_to_whole_numbers_near_the_pointer() -> void:
+	var picture := _part("Picture") as SpacePicture
+	var head := picture.get_node("%HeadOfA") as Control
+	var target := picture.to_plane(head.position + _HALF_A_HANDLE)
+	target.add(Vec2.new(3, 2))
+	var from := Screen.named(screen(), "Head of a").get_global_rect().get_center()
+	await student.drag(from, from + Vector2(3.0, 2.0) * picture.pixels_per_unit)
+	var a := _numbers("a")
+	assert_eq(a, PackedFloat64Array([roundf(a[0]), roundf(a[1]), roundf(a[2]), 1]))
+	# Rounding each component moves the head by half the diagonal of a unit cube at most.
+	assert_lt(Axonometry.new().seen_at(a[0], a[1], a[2]).distance_to(target), sqrt(0.75))
+
+
+func test_dragging_beside_the_arrows_turns_the_view_and_nothing_else() -> void:
+	var corner := _part("Picture").get_global_rect().end - Vector2(60.0, 60.0)
+	var view := _numbers("view")
+	await student.drag(corner, corner - Vector2(100.0, 30.0))
+	assert_almost_eq(_numbers("view")[0], view[0] + 1.0, 0.01)
+	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+	await student.press(&"lab_undo")
+	assert_eq(_numbers("view"), view)
+
+
+func test_undo_redo_and_reset() -> void:
+	await click_button("Obtuse")
+	await student.press(&"lab_undo")
+	assert_reads("the angle is below 90°")
+	await student.press(&"lab_redo")
+	assert_reads("the angle is above 90°")
+	await student.press(&"lab_reset")
+	assert_reads("the angle is below 90°")
+
+
+func test_the_steps_build_the_sum_up() -> void:
+	var counts: Array[int] = []
+	for step: int in 5:
+		counts.push_front(_formula_lines().size())
+		await student.press(&"lab_step_back")
+	assert_eq(counts, [2, 3, 4, 5, 8] as Array[int])
+	assert_false(_part("Stairs").visible)
+	await student.press(&"lab_step")
+	assert_true(_part("Stairs").visible)
+
+
+func test_a_question_is_answered_and_shown_on_the_board() -> void:
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
+	await student.settle()
+	await student.enter(_field("a · b ="), "0.5")
+	assert_reads("0.5 is not it yet")
+	await click_button("Show on board")
+	var last := _formula_lines()[3].get_slice(" = ", 1).replace("(", "").replace(")", "")
+	await student.enter(_field("a · b ="), last)
+	assert_reads("Right: %s." % last)
+
+
+func _part(part_name: String) -> Control:
+	return frame().lesson.get_node("%" + part_name) as Control
+
+
+func _numbers(key: String) -> PackedFloat64Array:
+	var held: PackedFloat64Array = frame().lesson.state()[key]
+	return held
+
+
+# A handle of the bars bears the same name as its field.
+func _field(title: String) -> LineEdit:
+	var panel := frame().get_node("%Panel")
+	return Screen.named(panel, title) as LineEdit
+
+
+func _formula_lines() -> PackedStringArray:
+	return Screen.lines(frame().lesson.services[&"formula"] as Formula)

@@ -1,0 +1,100 @@
+extends ScreenTest
+## Nothing overlaps, is cut off or shortened, at every size and with longer texts.
+
+const _SIZES: Array[Vector2i] = [
+	Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
+]
+
+
+func after_each() -> void:
+	_lengthen_texts(0.0)
+	TranslationServer.pseudolocalization_enabled = false
+	await super.after_each()
+
+
+func test_the_start_screen_fits_at_every_size() -> void:
+	await open_start_screen()
+	await _assert_fits_at_every_size("start screen")
+
+
+func test_every_lesson_fits_at_every_size() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		await _assert_fits_at_every_size(lesson.id)
+		screen().free()
+
+
+func test_all_fits_with_longer_texts_too() -> void:
+	TranslationServer.pseudolocalization_enabled = true
+	_lengthen_texts(0.3)
+	await open_start_screen()
+	await _assert_fits_at_every_size("start screen")
+	screen().free()
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		await _assert_fits_at_every_size(lesson.id)
+		screen().free()
+
+
+func test_every_lesson_fits_with_its_question_unfolded() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		for control: Control in Screen.controls(screen()):
+			if control is FoldableContainer:
+				(control as FoldableContainer).folded = false
+		await _assert_fits_at_every_size(lesson.id)
+		screen().free()
+
+
+func test_in_a_wide_window_the_panel_shows_all_while_the_question_is_folded() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		for size: Vector2i in [Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600)]:
+			await resize(size)
+			var bar := (frame().get_node("%Panel") as ScrollContainer).get_v_scroll_bar()
+			assert_lte(bar.max_value, bar.page, "%s at %s" % [lesson.id, size])
+		screen().free()
+
+
+func test_a_tall_window_has_the_board_above_the_panel() -> void:
+	await open_lesson(LessonIndex.lessons()[0])
+	await resize(Vector2i(720, 1280))
+	var board := frame().lesson.get_global_rect()
+	var panel := (frame().get_node("%Panel") as Control).get_global_rect()
+	assert_gte(panel.position.y, board.end.y)
+	assert_gte(board.size.x, 700.0)
+
+
+func test_cards_on_the_board_lie_inside_it_and_apart() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		for size: Vector2i in _SIZES:
+			await resize(size)
+			_assert_cards_apart("%s at %s" % [lesson.id, size])
+		screen().free()
+
+
+# The cards on a board are its own Controls; handles lie below its drawing.
+func _assert_cards_apart(text: String) -> void:
+	var board := frame().lesson
+	var cards: Array[Rect2] = []
+	for child: Node in board.get_children():
+		if child is Control and child is not Handle and (child as Control).visible:
+			cards.append((child as Control).get_rect())
+	for i: int in cards.size():
+		assert_true(Rect2(Vector2.ZERO, board.size).encloses(cards[i]), text)
+		for j: int in i:
+			assert_false(cards[i].intersects(cards[j]), text)
+
+
+func _assert_fits_at_every_size(title: String) -> void:
+	for size: Vector2i in _SIZES:
+		await resize(size)
+		var problems := ", ".join(Layout.problems(screen()))
+		assert_eq(problems, "", "%s at %s" % [title, size])
+
+
+# Texts are shown with foreign letters and this share longer: translations are often 30 % longer.
+func _lengthen_texts(share: float) -> void:
+	ProjectSettings.set_setting("internationalization/pseudolocalization/expansion_ratio", share)
+	TranslationServer.reload_pseudolocalization()
