@@ -16,11 +16,13 @@ signal released
 
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
+## Nor does [method fit] make it wider than this, in pixels, unless a lesson says so.
+const WIDEST_STEP := 40.0
 ## Grid steps are these times a power of ten.
 const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 
-## Nor does [method fit] make it wider than this; more where a lesson draws short vectors.
-@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := 40.0
+## The widest step of the grid; more where a lesson draws short vectors.
+@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
 ## Pixels that [method fit] leaves free along every edge; less on a small board.
 @export_range(8.0, 100.0, 1.0, "suffix:px") var margin := 56.0
 
