@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Checks the tests: puts one mistake after another into copies of the project and sees which test finds it.
+# Checks the tests: puts one mistake after another into a copy of the project and sees which test finds it.
 # Usage: tools/mutants.sh [--quick] [PATTERN]   (--quick: the named mistakes and 40 of the others; PATTERN: only
-# those whose line of the list holds it)
+# mutants whose kind, file, line or title holds it). MUTANTS_AT_ONCE=1 leaves a core free.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "$0")/common.sh"
@@ -9,6 +9,12 @@ set -euo pipefail
 folder=$LAB_BUILD/mutants
 at_once=${MUTANTS_AT_ONCE:-2}
 silence=20 # seconds after which a test run counts as hanging
+
+check_arguments() {
+	[ "${1:-}" != --quick ] || shift
+	[ $# -le 1 ] && [[ "${1:-}" != -* ]] || die 2 "usage: ./lab mutants [--quick] [PATTERN]"
+	[[ $at_once =~ ^[1-9]$ ]] || die 2 "MUTANTS_AT_ONCE is '$at_once'; 1 to 9 are possible"
+}
 
 # write_mutants [--quick] [PATTERN]: the mutants and their list; dies when a written-down one no longer fits.
 write_mutants() {
@@ -73,6 +79,7 @@ check_tests_without_mistake() {
 	done
 }
 
+check_arguments "$@"
 prepare_project
 make_build_folder
 rm -rf "$folder"
