@@ -59,11 +59,15 @@ prepare_project() {
 	"$LAB_ROOT/tools/import.sh" "$godot"
 }
 
-# The id of every lesson, a line each; after prepare_project.
-lesson_ids() {
-	"$godot" --headless --path "$LAB_ROOT" --quit-after 1000 -s tools/lesson_ids.gd </dev/null |
-		sed -n 's/^lesson //p'
+# run_script SCRIPT [ARGUMENTS]: a script of tools/ in the headless Godot; after prepare_project.
+run_script() {
+	local script=$1
+	shift
+	"$LAB_ROOT/tools/run_with_patience.sh" 120 "$godot" --headless --path "$LAB_ROOT" -s "tools/$script" -- "$@"
 }
+
+# The id of every lesson, a line each; after prepare_project.
+lesson_ids() { run_script lesson_ids.gd | sed -n 's/^lesson //p'; }
 
 has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
