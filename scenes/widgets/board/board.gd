@@ -114,7 +114,7 @@ func fit(points: Array[Vec2]) -> void:
 	view_changed.emit()
 
 
-## The handles that can be seen on this board, in the order in which the Tab key reaches them.
+## The handles that can be seen on this board, in the order of the tree.
 func handles() -> Array[Handle]:
 	var found: Array[Handle] = []
 	for node: Node in get_tree().get_nodes_in_group(Handle.GROUP):
@@ -124,10 +124,15 @@ func handles() -> Array[Handle]:
 	return found
 
 
+## Of these the ones that take the focus, in the order in which the Tab key reaches them.
+func focusable_handles() -> Array[Handle]:
+	return handles().filter(func(handle: Handle) -> bool: return handle.focus_mode != FOCUS_NONE)
+
+
 # A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to
 # the last.
 func _pass_focus_on() -> void:
-	var all := handles()
+	var all := focusable_handles()
 	if all.is_empty() or Input.get_mouse_button_mask() != 0:
 		return
 	all[-1 if Input.is_action_pressed(&"ui_focus_prev") else 0].grab_focus()
