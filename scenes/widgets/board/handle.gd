@@ -140,10 +140,18 @@ func _tie_focus() -> void:
 	var all := _board.handles()
 	var here := all.find(self)
 	var is_last := here == all.size() - 1
-	var next: Control = _board.find_next_valid_focus() if is_last else all[here + 1]
+	var next: Control = _after_board() if is_last else all[here + 1]
 	var previous: Control = _board.find_prev_valid_focus() if here == 0 else all[here - 1]
 	focus_next = get_path_to(next)
 	focus_previous = get_path_to(previous)
+
+
+func _after_board() -> Control:
+	var next := _board.find_next_valid_focus()
+	while next is Handle and (next as Handle).is_on(_board):
+		next.focus_next = NodePath()
+		next = next.find_next_valid_focus()
+	return next
 
 
 func _follow_view() -> void:
