@@ -145,19 +145,18 @@ func _tie_focus() -> void:
 	var all := _outermost_board.focusable_handles()
 	var here := all.find(self)
 	var is_last := here == all.size() - 1
-	var next: Control = _next_beyond_board(all.size()) if is_last else all[here + 1]
+	var next: Control = _after_board() if is_last else all[here + 1]
 	var previous: Control = all[here - 1] if here > 0 else _outermost_board.find_prev_valid_focus()
 	focus_next = get_path_to(next)
 	focus_previous = get_path_to(previous)
 
 
-# What follows the board: handles that lie on it without a Node2D between come first in the
-# engine's order.
-func _next_beyond_board(handle_count: int) -> Control:
+# The handles themselves come first in the engine's order, unless a Node2D lies between.
+func _after_board() -> Control:
 	var next := _outermost_board.find_next_valid_focus()
-	for i in handle_count:
-		if _outermost_board.is_ancestor_of(next):
-			next = next.find_next_valid_focus()
+	while next is Handle and (next as Handle).is_on(_outermost_board):
+		next.focus_next = NodePath()
+		next = next.find_next_valid_focus()
 	return next
 
 
