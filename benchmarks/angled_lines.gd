@@ -42,7 +42,7 @@ func _median(count: int, method: SteppedWorld.Method) -> float:
 		world.step(FRAME)
 		times.append((Time.get_ticks_usec() - start) / 1000.0)
 	times.sort()
-	return times[FRAMES / 2]
+	return times[FRAMES >> 1]
 
 
 func _soak() -> bool:

@@ -30,7 +30,7 @@ static func box(count: int, seed_number: int) -> SteppedWorld:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = seed_number
 	for i: int in 16:
-		var start := Vector2(-240 + 120 * (i % 4), -120 + 70 * (i / 4))
+		var start := Vector2(-240 + 120 * (i % 4), -120 + 70 * (i >> 2))
 		var end := start + Vector2(rng.randf_range(30, 70), rng.randf_range(-30, 30))
 		lines.append(Vector4(start.x, start.y, end.x, end.y))
 	var made := world(lines, Ball.new(Vec2.new(), 1.0), Vec2.new(0.0, 300.0))

@@ -122,10 +122,10 @@ func set_bounciness(bounciness: float) -> String:
 
 
 ## Takes other lines.
-func set_lines(lines: Array[LineSegment]) -> String:
-	if lines.size() > MOST_LINES:
+func set_lines(new_lines: Array[LineSegment]) -> String:
+	if new_lines.size() > MOST_LINES:
 		return _translate("There is room for %d lines: delete one first.") % MOST_LINES
-	var problem := world.surroundings.set_segments(lines)
+	var problem := world.surroundings.set_segments(new_lines)
 	if not problem:
 		_begin()
 	return problem

@@ -55,7 +55,7 @@ func length_of(index: int) -> int:
 
 
 func _shorten() -> void:
-	var longest := mini(_MOST_PLACES / maxi(_trails.size(), 1), _LONGEST)
+	var longest := mini(floori(float(_MOST_PLACES) / maxi(_trails.size(), 1)), _LONGEST)
 	if _counts.size() > _LONGEST:
 		_counts.pop_front()
 	for i in _trails.size():
