@@ -1,6 +1,6 @@
 extends ScreenTest
-## Handles of every lesson that can be taken: large enough for a finger at every size, named for screen readers, hit
-## where they are seen.
+## Handles of every lesson that can be taken: large enough for a finger at every size, named for
+## screen readers, hit where they are seen.
 
 const _SMALLEST := 44.0
 ## No lesson has so many parts that take the focus.
