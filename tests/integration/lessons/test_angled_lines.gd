@@ -205,10 +205,11 @@ func test_the_comparison_fills_in_while_paused() -> void:
 
 
 func test_a_question_can_be_answered_and_shown_on_the_board() -> void:
-	(frame().lesson.services[&"question"] as Question).folded = false
+	var question := frame().lesson.services[&"question"] as FoldableContainer
+	question.folded = false
 	await student.settle()
-	await student.enter(Screen.named(screen(), "x =") as LineEdit, "1")
-	await student.enter(Screen.named(screen(), "y =") as LineEdit, "2000")
+	await student.enter(field("x ="), "1")
+	await student.enter(field("y ="), "2000")
 	assert_reads("(1, 2000) is not it yet.")
 	await click_button("Show on board")
 	assert_eq(_lines().size(), 2, "line A and line B")
