@@ -1,6 +1,6 @@
 extends ScreenTest
-## Handles of every lesson that can be taken: large enough for a finger at every size, named for
-## screen readers, hit where they are seen.
+## Handles that can be taken, in every lesson: large enough for a finger at every size, named for
+## screen readers, reached with the Tab key.
 
 const _SMALLEST := 44.0
 ## No lesson has so many parts that take the focus.
