@@ -3,7 +3,7 @@
 
 LAB_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 LAB_BUILD=$LAB_ROOT/build
-LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/vec2-lab
+LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-$LAB_BUILD}/.cache}/vec2-lab
 
 GODOT_VERSION=4.6.3
 GODOT_RELEASES=${GODOT_RELEASES:-https://github.com/godotengine/godot-builds/releases/download}
@@ -59,13 +59,28 @@ prepare_project() {
 	"$LAB_ROOT/tools/import.sh" "$godot"
 }
 
-# The id of every lesson, a line each; after prepare_project.
-lesson_ids() {
-	"$godot" --headless --path "$LAB_ROOT" --quit-after 1000 -s tools/lesson_ids.gd </dev/null |
-		sed -n 's/^lesson //p'
+# run_script SCRIPT [ARGUMENTS]: a script of tools/ in the headless Godot; after prepare_project.
+run_script() {
+	local script=$1
+	shift
+	"$LAB_ROOT/tools/run_with_patience.sh" 120 "$godot" --headless --path "$LAB_ROOT" -s "tools/$script" -- "$@"
 }
+
+# The id of every lesson, a line each; after prepare_project.
+lesson_ids() { run_script lesson_ids.gd | sed -n 's/^lesson //p'; }
 
 has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
-# engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none.
-engine_messages() { grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" || true; }
+# The Godot of Debian's packages brings its own drivers.
+use_drivers_beside_godot() {
+	local drivers
+	drivers=$(dirname "$godot")/../root/usr/lib/x86_64-linux-gnu/dri
+	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
+}
+
+# engine_messages LOG: the errors and warnings that Godot printed, nothing when there are none. Two say nothing about
+# the project: the software renderer has no V-Sync, and a deleted .uid file is made again.
+engine_messages() {
+	grep -E '^[[:space:]]*(SCRIPT |USER |SHADER )?(ERROR|WARNING):' "$1" |
+		grep -v -e 'Could not set V-Sync mode' -e 'Missing .uid file' || true
+}

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs all tests once more under GUT's stand-in, in a copy of the project, and compares the counts with those that the
+# Runs all tests once more under GUT's stand-in, in a copy of the project, and compares what it counts with what the
 # last `./lab test` left in build/test/junit.xml. Usage: tools/compare_runners.sh
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -7,11 +7,12 @@ set -euo pipefail
 
 copy=$LAB_BUILD/stand_in_project
 
-# counts JUNIT_XML: scripts, tests and asserts.
+# counts JUNIT_XML: scripts, tests, asserts and failed tests.
 counts() {
 	awk '/<testsuite / { scripts++ }
 		/<testcase / { tests++; match($0, /assertions="[0-9]+"/); asserts += substr($0, RSTART + 12, RLENGTH - 13) }
-		END { printf "%d scripts, %d tests, %d asserts\n", scripts, tests, asserts }' "$1"
+		/<failure / { failed++ }
+		END { printf "%d scripts, %d tests, %d asserts, %d failed\n", scripts, tests, asserts, failed }' "$1"
 }
 
 if ! grep -qs "^version=\"$GUT_VERSION\"" "$LAB_ROOT/addons/gut/plugin.cfg"; then
@@ -23,12 +24,9 @@ fi
 rm -rf "$copy"
 mkdir -p "$copy"
 tar -c -C "$LAB_ROOT" --exclude=./.git --exclude=./.godot --exclude=./build --exclude=./addons/gut . | tar -x -C "$copy"
-status=0
-GUT_REPO=none "$copy/lab" test >"$LAB_BUILD/stand_in.log" 2>&1 || status=$?
-if [ "$status" -ne 0 ]; then
-	cat "$LAB_BUILD/stand_in.log"
-	die 1 "the tests are not green under the stand-in"
-fi
+GUT_REPO=none "$copy/lab" test >"$LAB_BUILD/stand_in.log" 2>&1 || true
+sed -n '/^What is wrong/,$p' "$LAB_BUILD/stand_in.log"
+[ -f "$copy/build/test/junit.xml" ] || die 1 "the stand-in did not reach its end: see $LAB_BUILD/stand_in.log"
 
 of_gut=$(counts "$LAB_BUILD/test/junit.xml")
 of_stand_in=$(counts "$copy/build/test/junit.xml")

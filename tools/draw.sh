@@ -16,6 +16,7 @@ screen=
 open_screen() {
 	local number
 	need Xvfb xvfb libgl1 libgl1-mesa-dri || exit 2
+	rm -f "$pictures/display"
 	mkfifo "$pictures/display"
 	Xvfb -displayfd 3 -screen 0 1280x1280x24 +extension GLX -nolisten tcp 3>"$pictures/display" >"$pictures/xvfb.log" 2>&1 &
 	screen=$!
@@ -28,16 +29,6 @@ close_screen() {
 	rm -f "$pictures/display"
 }
 
-# The Godot of Debian's packages brings its own drivers.
-use_drivers_beside_godot() {
-	local drivers
-	drivers=$(dirname "$godot")/../root/usr/lib/x86_64-linux-gnu/dri
-	[ ! -d "$drivers" ] || export LIBGL_DRIVERS_PATH=$drivers
-}
-
-# The software renderer cannot change V-Sync and says so.
-messages() { engine_messages "$1" | grep -v 'Could not set V-Sync mode' || true; }
-
 # draw NAME FILE SIZE
 draw() {
 	local picture=$pictures/$2.png log=$pictures/$2.log status=0
@@ -47,7 +38,7 @@ draw() {
 	"$LAB_ROOT/tools/run_with_patience.sh" 60 "$godot" --path "$LAB_ROOT" --audio-driver Dummy \
 		--rendering-driver opengl3 --resolution "$3" --fixed-fps 60 -s tools/draw_picture.gd -- "${arguments[@]}" \
 		>"$log" || status=$?
-	if [ "$status" -eq 0 ] && [ -z "$(messages "$log")" ] && grep -q "^$3, " "$log"; then
+	if [ "$status" -eq 0 ] && [ -z "$(engine_messages "$log")" ] && grep -q "^$3, " "$log"; then
 		echo "drawn: build/pictures/$2.png ($(grep "^$3, " "$log"))"
 	else
 		echo "FAILED: build/pictures/$2.png ($3 wanted)"
@@ -60,10 +51,8 @@ failed=0
 make_build_folder
 mkdir -p "$pictures"
 trap close_screen EXIT
-if ! has_display; then
-	open_screen
-	use_drivers_beside_godot
-fi
+has_display || open_screen
+use_drivers_beside_godot
 for name in "$@"; do
 	draw "$name" "$name" 1280x720
 	draw "$name" "${name}_portrait" 720x1280

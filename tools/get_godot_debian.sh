@@ -28,7 +28,12 @@ mirror() {
 private_apt() {
 	local address
 	address=$(mirror)
-	[ -n "$address" ] || die 1 "apt knows no mirror yet; run 'apt-get update' first"
+	if [ -z "$address" ] && [ "$(id -u)" -eq 0 ]; then
+		say "reading the system's package lists, to learn its mirror"
+		apt-get -q update >&2
+		address=$(mirror)
+	fi
+	[ -n "$address" ] || die 1 "apt knows no mirror yet; run 'apt-get update' as root first"
 	mkdir -p "$world/parts" "$world/state/lists/partial" "$world/archives/partial"
 	: >"$world/status"
 	printf 'deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] %s forky main\n' "$address" >"$world/sources.list"

@@ -24,13 +24,19 @@ put() {
 	mv "$LAB_BUILD/gut.partial" "$place"
 }
 
+# A network that swallows everything is noticed after some seconds; git alone would wait for minutes.
+is_reachable() {
+	[[ $1 != http* ]] || ! command -v curl >/dev/null || curl -s --connect-timeout 5 -o /dev/null "$1"
+}
+
 # fetch REPOSITORY: GUT's files of the pinned commit into the cache; git itself proves content by the commit's id.
 fetch() {
 	local work=$cached.partial got
+	is_reachable "$1" || return 1
 	rm -rf "$work"
 	mkdir -p "$work"
 	git init -q --bare "$work/repository"
-	git -C "$work/repository" fetch -q --depth 1 "$1" "$GUT_COMMIT" || return 1
+	GIT_TERMINAL_PROMPT=0 git -C "$work/repository" fetch -q --depth 1 "$1" "$GUT_COMMIT" || return 1
 	got=$(git -C "$work/repository" rev-parse FETCH_HEAD)
 	if [ "$got" != "$GUT_COMMIT" ]; then
 		say "$1 gave commit $got, not GUT $GUT_VERSION ($GUT_COMMIT)"

@@ -4,6 +4,8 @@ extends SceneTree
 ## Usage: godot --headless --path . -s tools/keep_pictures.gd
 
 const CARD_SIZE := Vector2i(480, 270)
+## The middle of the board, without the panel: what can be told apart on a card.
+const BOARD := Rect2i(0, 138, 830, 467)
 
 
 func _init() -> void:
@@ -21,6 +23,7 @@ func _keep(lesson: LessonInfo) -> Error:
 	if error == OK:
 		error = picture.save_png(kept)
 	if error == OK:
+		picture = picture.get_region(BOARD)
 		picture.resize(CARD_SIZE.x, CARD_SIZE.y, Image.INTERPOLATE_LANCZOS)
 		error = picture.save_png(ProjectSettings.globalize_path(lesson.card_path()))
 	print("%s: %s" % [lesson.id, error_string(error)])

@@ -8,4 +8,4 @@ set -euo pipefail
 prepare_project
 # shellcheck disable=SC2046 # one word for each id
 "$LAB_ROOT/tools/draw.sh" "$godot" $(lesson_ids)
-"$godot" --headless --path "$LAB_ROOT" --quit-after 1000 -s tools/keep_pictures.gd </dev/null
+run_script keep_pictures.gd

@@ -13,6 +13,7 @@ if [ $# -eq 1 ] && ! grep -qxF -- "$1" <<<"$ids"; then
 fi
 
 if has_display; then
+	use_drivers_beside_godot
 	exec "$godot" --path "$LAB_ROOT" ${1:+-- "--lesson=$1"}
 fi
 say "there is no display: drawing into build/pictures/"

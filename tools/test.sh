@@ -23,7 +23,9 @@ problems() {
 	engine_messages "$results/shown.txt"
 }
 
+trap 'printf "\n0 passed, 1 failed\n"' EXIT
 prepare_project
+trap - EXIT
 make_build_folder
 mkdir -p "$results"
 rm -f "$report" "$results/junit.xml"

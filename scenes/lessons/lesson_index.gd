@@ -5,7 +5,14 @@ extends RefCounted
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [
 	"l01_class_or_value",
+	"l02_easy_bounce",
+	"l03_normals",
 	"l04_dot_product",
+	"l05_projection_proof",
+	"l06_line_distance",
+	"l07_point_of_impact",
+	"l08_reflection",
+	"l09_angled_lines",
 	"l10_line_ends",
 	"l11_more_dimensions",
 ]

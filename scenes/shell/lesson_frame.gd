@@ -61,6 +61,9 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _input(event: InputEvent) -> void:
+	# A notice stands until the student does the next thing, which may bring another.
+	if event.is_pressed():
+		_show_notice("")
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
@@ -71,6 +74,7 @@ func _open() -> void:
 	lesson = (load(lesson_info.scene_path()) as PackedScene).instantiate() as Lesson
 	for need in lesson_info.needs:
 		lesson.services[StringName(need)] = _add_service(need)
+	_announce(lesson)
 	lesson.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_board_place.add_child(lesson)
 	lesson.edited.connect(_store)
@@ -82,13 +86,18 @@ func _open() -> void:
 
 func _add_service(need: String) -> Control:
 	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
-	var script: Script = service.get_script()
-	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
-	_help_actions.append_array(actions)
+	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
 	return service
+
+
+# A service or lesson with keys of its own lists their actions in a constant ACTIONS.
+func _announce(answering: Control) -> void:
+	var script: Script = answering.get_script()
+	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
+	_help_actions.append_array(actions)
 
 
 # What has been unfolded, or has grown by a verdict, is scrolled into view.
@@ -101,7 +110,6 @@ func _store() -> void:
 	var now := lesson.state()
 	if now == _last_state:
 		return
-	_show_notice("")
 	_history.create_action("edit")
 	_history.add_do_method(_show_state.bind(now))
 	_history.add_undo_method(_show_state.bind(_last_state))
@@ -111,13 +119,11 @@ func _store() -> void:
 
 func _show_state(stored: Dictionary) -> void:
 	_last_state = stored
-	_show_notice("")
 	lesson.show_state(stored)
 
 
 func _reset() -> void:
-	_show_notice("")
-	lesson.show_state(_first_state)
+	lesson.show_state(lesson.reset_state(_first_state))
 	_store()
 
 

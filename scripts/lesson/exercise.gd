@@ -54,6 +54,18 @@ func check(answer: PackedFloat64Array) -> Verdict:
 	return verdict
 
 
+## Whether each wrong answer tells which mistake led to it: no two known mistakes have the same
+## answer, and none has the right one.
+func tells_mistakes_apart() -> bool:
+	for i in mistakes.size():
+		if _same(mistakes[i].answer, right_answer):
+			return false
+		for j in i:
+			if _same(mistakes[i].answer, mistakes[j].answer):
+				return false
+	return true
+
+
 func _sentence_for(answer: PackedFloat64Array) -> String:
 	if _same(answer, right_answer):
 		return TranslationServer.translate("Right: %s.") % text_of(answer)

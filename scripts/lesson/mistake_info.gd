@@ -2,7 +2,8 @@ class_name MistakeInfo
 extends RefCounted
 ## A mistake found in real student code, which a lesson can switch on beside the right way.
 
-## Its number in the course's list of mistakes.
+## Its number in the course's list of mistakes; for one that only the lecture names, minus the part
+## of the lecture.
 var number: int
 ## A few words for the list that one picks from, translated.
 var title: String
@@ -18,3 +19,10 @@ func _init(its_number: int, its_title: String, its_sentence: String, its_test: S
 	title = its_title
 	sentence = its_sentence
 	test = its_test
+
+
+## What the list that one picks from shows: number and title, translated.
+func heading() -> String:
+	if number < 0:
+		return TranslationServer.translate("Part %d: %s") % [-number, title]
+	return TranslationServer.translate("Mistake %d: %s") % [number, title]

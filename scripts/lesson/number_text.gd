@@ -9,8 +9,9 @@ const MINUS := "\u2212"
 const LARGEST := 1e100
 
 
-## [param value] with at most [param digits] significant digits and no trailing zeros: `7`, `0.8`,
-## `-3.25`; below 1e-4 and from 1e7 on as `3e15`. NaN and infinity by name.
+## [param value] with at most [param digits] significant digits, or as many as stand before the
+## point, and no trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as `3e15`.
+## NaN and infinity by name.
 static func short(value: float, digits: int = 4) -> String:
 	if is_nan(value):
 		return "NaN"
@@ -30,6 +31,11 @@ static func typed(value: float) -> String:
 ## Two components in parentheses: `(4, -3)`.
 static func pair(x: float, y: float, digits: int = 4) -> String:
 	return "(%s, %s)" % [short(x, digits), short(y, digits)]
+
+
+## [param value] with all the digits that tell it from the next double: `5.000000000000001`.
+static func all_digits(value: float) -> String:
+	return String.num_scientific(value).replace("-", MINUS)
 
 
 ## A size that needs no sign and no more than two digits, such as an error: `0`, `8.9e-16`.
@@ -81,7 +87,9 @@ static func _decimal(value: float, digits: int) -> String:
 
 static func _scientific(value: float, digits: int) -> String:
 	var exponent := floori(log(absf(value)) / log(10.0) + 1e-12)
-	var mantissa := _decimal(value / pow(10.0, exponent), digits)
+	# In two parts: 10^-324 itself is no double any more.
+	var half := floori(exponent / 2.0)
+	var mantissa := _decimal(value / pow(10.0, half) / pow(10.0, exponent - half), digits)
 	if mantissa.trim_prefix("-") == "10":
 		mantissa = mantissa.replace("10", "1")
 		exponent += 1

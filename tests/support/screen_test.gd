@@ -42,9 +42,9 @@ func open_start_screen() -> void:
 
 ## Opens a lesson in its frame.
 func open_lesson(lesson: LessonInfo) -> void:
-	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
-	frame.lesson_info = lesson
-	await _open(frame)
+	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
+	new_frame.lesson_info = lesson
+	await _open(new_frame)
 
 
 ## The frame that is open now; null on the start screen.

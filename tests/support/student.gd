@@ -13,7 +13,7 @@ const _STEPS_OF_A_DRAG := 4
 ## The window that the student sits at.
 var window: Window
 
-var _buttons_down: MouseButtonMask = 0 as MouseButtonMask
+var _buttons_down := 0
 
 
 func _init(its_window: Window) -> void:
@@ -52,18 +52,18 @@ func drag(from: Vector2, to: Vector2, with_shift: bool = false) -> void:
 func move_to(place: Vector2, with_shift: bool = false) -> void:
 	var motion := InputEventMouseMotion.new()
 	motion.position = _window_pixel(place)
-	motion.button_mask = _buttons_down
+	motion.button_mask = _buttons_down as MouseButtonMask
 	motion.shift_pressed = with_shift
 	_send(motion)
 
 
 func hold(place: Vector2, button: MouseButton = MOUSE_BUTTON_LEFT) -> void:
-	_buttons_down = (1 << (button - 1)) as MouseButtonMask
+	_buttons_down = 1 << (button - 1)
 	_send_button(place, button, true)
 
 
 func release(place: Vector2, button: MouseButton = MOUSE_BUTTON_LEFT) -> void:
-	_buttons_down = 0 as MouseButtonMask
+	_buttons_down = 0
 	_send_button(place, button, false)
 
 
@@ -144,7 +144,7 @@ func _send_button(place: Vector2, button: MouseButton, is_down: bool) -> void:
 	var event := InputEventMouseButton.new()
 	event.position = _window_pixel(place)
 	event.button_index = button
-	event.button_mask = _buttons_down
+	event.button_mask = _buttons_down as MouseButtonMask
 	event.pressed = is_down
 	_send(event)
 

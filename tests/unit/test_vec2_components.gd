@@ -38,6 +38,10 @@ func test_the_text_of_negative_zero_is_zero() -> void:
 	assert_eq(str(Vec2.new(negative_zero(), 1)), "(0, 1)")
 
 
+func test_the_text_is_cut_after_six_digits_down_to_a_ten_thousandth() -> void:
+	assert_eq(str(Vec2.new(0.000123456, -0.000187654)), "(0.000123, -0.000188)")
+
+
 func test_the_text_of_tiny_and_huge_components_hides_nothing() -> void:
 	assert_eq(str(Vec2.new(1e-9, -1e300)), "(1e-09, -1e+300)")
 	assert_eq(str(Vec2.new(0.0001, 1e15)), "(0.0001, 1e+15)")

@@ -97,6 +97,14 @@ func test_projections_of_extreme_vectors() -> void:
 			assert_vec2(a.rejection(b), Vec2.new(3, 4).scaled(a_scale), allowed)
 
 
+func test_projections_where_only_the_product_of_three_components_is_extreme() -> void:
+	for power: float in [1.0 / 2.0 ** 390, 2.0 ** 390]:
+		var a := Vec2.new(7, 1).scaled(power)
+		var b := Vec2.new(8, -6).scaled(power)
+		assert_vec2(a.vector_projection(b).divided(power), Vec2.new(4, -3), 8.0 * EPSILON)
+		assert_vec2(a.rejection(b).divided(power), Vec2.new(3, 4), 8.0 * EPSILON)
+
+
 func test_projections_are_right_at_every_scale() -> void:
 	var a := Vec2.new(1.0 / 3.0, 0.7)
 	var b := Vec2.new(0.9, -0.2)

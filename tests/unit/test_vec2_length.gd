@@ -107,6 +107,13 @@ func test_limit_length_leaves_a_shorter_vector_alone() -> void:
 		assert_vec2(vector, Vec2.new(3, 4), 0.0)
 
 
+func test_limit_length_to_its_own_length_changes_no_bit() -> void:
+	for vector: Vec2 in random_vectors(25, 100):
+		var before := vector.copy()
+		vector.limit_length(vector.length())
+		assert_vec2(vector, before, 0.0)
+
+
 func test_a_maximum_that_cannot_be_is_refused() -> void:
 	var vector := Vec2.new(3, 4)
 	for wrong: float in [-1.0, NAN]:

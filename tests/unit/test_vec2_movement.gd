@@ -20,6 +20,13 @@ func test_both_ends_are_exact() -> void:
 		assert_vec2(from.lerped(to, 1.0), to, 0.0)
 
 
+func test_near_the_far_end_no_digit_is_lost_to_the_long_way() -> void:
+	# The way is 1e16 long, where doubles are 2 apart; what is left of it is 0.5 * EPSILON * 1e16.
+	var got := Vec2.new(-1e16, 1e16).lerped(Vec2.new(0.1, -0.1), 1.0 - 0.5 * EPSILON)
+	var left := 0.5 * EPSILON * 1e16
+	assert_vec2(got, Vec2.new(0.1 - left, left - 0.1), 1e-15)
+
+
 func test_weights_outside_0_to_1_go_on_along_the_line() -> void:
 	assert_vec2(Vec2.new(2, -4).lerped(Vec2.new(6, 4), -1), Vec2.new(-2, -12), 0.0)
 	assert_vec2(Vec2.new(2, -4).lerped(Vec2.new(6, 4), 2), Vec2.new(10, 12), 0.0)

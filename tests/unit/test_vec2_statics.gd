@@ -78,6 +78,16 @@ func test_random_units_are_not_at_whole_degrees_only() -> void:
 	assert_eq(angles.size(), 10000)
 
 
+func test_a_random_unit_takes_its_share_of_the_whole_circle_from_one_random_number() -> void:
+	var rng := RandomNumberGenerator.new()
+	var same_rng := RandomNumberGenerator.new()
+	rng.seed = 76
+	same_rng.seed = 76
+	for _index: int in 20:
+		var wanted := Vec2.unit_degrees(360.0 * (same_rng.randi() / 4294967296.0))
+		assert_vec2(Vec2.random_unit(rng), wanted, 1e-15)
+
+
 func test_the_same_seed_gives_the_same_random_units() -> void:
 	assert_vec2(_random_units(75, 20)[19], _random_units(75, 20)[19], 0.0)
 

@@ -4,8 +4,6 @@ extends RefCounted
 var name := ""
 var takes_parameters := false
 var was_run := false
-## The line in the test script of the last failure; -1 when it is not known.
-var line_number := -1
 var seconds := 0.0
 var pass_texts := PackedStringArray()
 var fail_texts := PackedStringArray()

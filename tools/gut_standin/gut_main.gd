@@ -59,10 +59,10 @@ func add_pass(text: String) -> void:
 
 func add_fail(text: String) -> void:
 	var line := _line_of_test()
-	logger.show("[Failed]:  %s\n      at line %d" % [text, line])
+	var full_text := "%s\n      at line %d" % [text, line]
+	logger.show("[Failed]:  " + full_text)
 	if _current != null:
-		_current.line_number = line
-		_current.fail_texts.append("%s\n      at line %d" % [text, line])
+		_current.fail_texts.append(full_text)
 
 
 func add_pending(text: String) -> void:

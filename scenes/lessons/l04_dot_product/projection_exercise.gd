@@ -3,13 +3,15 @@ extends Exercise
 ## Asks for a dot product, a scalar projection or a vector projection of two fresh whole-number
 ## vectors.
 ##
-## b is a multiple of a Pythagorean triple, so that its length is whole and answers are short.
+## b is a multiple of (3, 4), so that its length is whole and answers have two decimals at most.
 
 ## What is asked for.
 enum Kind { DOT, SCALAR, VECTOR }
 
+# Multiples of the Pythagorean triple 3, 4, 5: other triples, such as 5, 12, 13, give endless
+# decimals.
 const _TRIPLES: Array[Vector2i] = [
-	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(5, 12), Vector2i(12, 5)
+	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(9, 12), Vector2i(12, 9)
 ]
 
 ## The vector whose shadow is asked for.
@@ -31,8 +33,16 @@ func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
 			_ask_vector()
 
 
-## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis, for which
+## every known mistake leads to an answer of its own.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
+	var exercise := _drawn(kind, rng)
+	while not exercise.tells_mistakes_apart():
+		exercise = _drawn(kind, rng)
+	return exercise
+
+
+static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var shadowed := Vec2.new(

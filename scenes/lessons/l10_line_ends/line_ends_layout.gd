@@ -17,7 +17,7 @@ static func _in_two_columns(size: Vector2) -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 3.0 * _GAP) / 2.0, (size.y - 4.0 * _GAP) / 3.0)
 	for i in 6:
-		var corner := _column_and_row(i) * (cell + Vector2(_GAP, _GAP))
+		var corner := Vector2(i % 2, floori(i / 2.0)) * (cell + Vector2(_GAP, _GAP))
 		found.append(Rect2(corner + Vector2(_GAP, _GAP), cell))
 	return found
 
@@ -26,7 +26,7 @@ static func _with_large_field(size: Vector2) -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 4.0 * _GAP) / 4.0, (size.y - 3.0 * _GAP) / 2.0)
 	for i in 4:
-		var corner := _column_and_row(i) * (cell + Vector2(_GAP, _GAP))
+		var corner := Vector2(i % 2, floori(i / 2.0)) * (cell + Vector2(_GAP, _GAP))
 		found.append(Rect2(corner + Vector2(_GAP, _GAP), cell))
 	var left := 2.0 * cell.x + 3.0 * _GAP
 	var graph_height := minf(size.y * 0.32, 200.0)
@@ -35,8 +35,3 @@ static func _with_large_field(size: Vector2) -> Array[Rect2]:
 	found.append(Rect2(left, _GAP, wide, high))
 	found.append(Rect2(left, high + 2.0 * _GAP, wide, graph_height))
 	return found
-
-
-# Two columns, filled row by row.
-static func _column_and_row(place: int) -> Vector2:
-	return Vector2(place % 2, floorf(place / 2.0))

@@ -38,7 +38,7 @@ func _follow_view() -> void:
 func _is_on_a_point(pixel: Vector2) -> bool:
 	for handle in _board.handles():
 		var is_point := handle is not ArrowBody
-		if is_point and handle.get_global_rect().has_point(get_global_transform() * pixel):
+		if is_point and handle.covers(get_global_transform() * pixel):
 			return true
 	return false
 

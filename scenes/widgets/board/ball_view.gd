@@ -22,7 +22,8 @@ func lay(centre: Vec2, radius: float) -> void:
 
 func _draw() -> void:
 	var middle := board.to_screen(_centre)
-	var pixels := maxf(_radius * board.pixels_per_unit, 1.5)
+	# 32-bit drawing knows no larger circles than 1e6 pixels.
+	var pixels := clampf(_radius * board.pixels_per_unit, 1.5, 1e6)
 	var color := Palette.color(role)
 	if is_ghost:
 		for i in 16:

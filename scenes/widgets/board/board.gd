@@ -3,7 +3,8 @@ extends Control
 ## The plane that a lesson draws on: says where a point of the plane is on the screen, and back.
 ##
 ## One unit of the plane is a pixel of the course; the board shows it larger. y points down, as on
-## the screen. This is the one place of the view where [Vec2] meets [Vector2].
+## the screen, unless [member is_y_up]. This is the one place of the view where [Vec2] meets
+## [Vector2].
 
 ## Scale, middle or size changed: what is drawn on the board has to be drawn again.
 signal view_changed
@@ -15,11 +16,13 @@ signal released
 
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
-## Nor is it wider than this, in pixels.
+## Nor does [method fit] make it wider than this, in pixels, unless a lesson says so.
 const WIDEST_STEP := 40.0
 ## Grid steps are these times a power of ten.
 const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 
+## The widest step of the grid; more where a lesson draws short vectors.
+@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
 ## Pixels that [method fit] leaves free along every edge; less on a small board.
 @export_range(8.0, 100.0, 1.0, "suffix:px") var margin := 56.0
 
@@ -31,6 +34,13 @@ var grid_step := 1.0
 
 ## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
 var snap_step := 0.0
+
+## False: y points down, as on the screen and in the course. True: y points up, as in mathematics.
+## The plane and all numbers stay; only the picture is turned over.
+var is_y_up := false:
+	set(value):
+		is_y_up = value
+		view_changed.emit()
 
 var _middle := Vec2.new()
 var _pressed_button := MOUSE_BUTTON_NONE
@@ -56,6 +66,7 @@ func to_screen(point: Vec2) -> Vector2:
 	var limit := 1e6
 	var from_middle := point.minus(_middle).scaled(pixels_per_unit)
 	from_middle.limit_length(limit)
+	from_middle.y *= y_sign()
 	return from_middle.to_vector2() + size / 2.0
 
 
@@ -63,8 +74,15 @@ func to_screen(point: Vec2) -> Vector2:
 func to_plane(pixel: Vector2) -> Vec2:
 	var point := Vec2.from_vector2(pixel - size / 2.0)
 	point.scale(1.0 / pixels_per_unit)
+	point.y *= y_sign()
 	point.add(_middle)
 	return point
+
+
+## 1 where y points down the screen, -1 where it points up. Angles of the plane are seen on the
+## screen with this sign.
+func y_sign() -> float:
+	return -1.0 if is_y_up else 1.0
 
 
 ## Units between two points to which handles snap.
@@ -91,12 +109,12 @@ func fit(points: Array[Vec2]) -> void:
 	var narrowest_unit := minf(room.x / maxf(reach_x, 1e-300), room.y / maxf(reach_y, 1e-300))
 	var is_tiny := maxf(reach_x, reach_y) < 1.0 and maxf(reach_x, reach_y) > 0.0
 	grid_step = maxf(_next_step(NARROWEST_STEP / narrowest_unit), 0.0 if is_tiny else 1.0)
-	pixels_per_unit = minf(WIDEST_STEP / grid_step, narrowest_unit)
+	pixels_per_unit = minf(widest_step / grid_step, narrowest_unit)
 	queue_redraw()
 	view_changed.emit()
 
 
-## The handles that can be seen on this board, in the order in which the Tab key reaches them.
+## The handles that can be seen on this board, in the order of the tree.
 func handles() -> Array[Handle]:
 	var found: Array[Handle] = []
 	for node: Node in get_tree().get_nodes_in_group(Handle.GROUP):
@@ -106,10 +124,15 @@ func handles() -> Array[Handle]:
 	return found
 
 
+## Of these the ones that take the focus, in the order in which the Tab key reaches them.
+func focusable_handles() -> Array[Handle]:
+	return handles().filter(func(handle: Handle) -> bool: return handle.focus_mode != FOCUS_NONE)
+
+
 # A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to
 # the last.
 func _pass_focus_on() -> void:
-	var all := handles()
+	var all := focusable_handles()
 	if all.is_empty() or Input.get_mouse_button_mask() != 0:
 		return
 	all[-1 if Input.is_action_pressed(&"ui_focus_prev") else 0].grab_focus()

@@ -19,7 +19,7 @@ func _ready() -> void:
 ## Adds a mistake to the list.
 func add_mistake(mistake: MistakeInfo) -> void:
 	_mistakes.append(mistake)
-	_list.add_item(tr("Mistake %d: %s") % [mistake.number, mistake.title])
+	_list.add_item(mistake.heading())
 
 
 ## Shows the mistake with this number as switched on, 0 for none; emits nothing.

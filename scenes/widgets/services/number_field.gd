@@ -9,6 +9,7 @@ signal number_entered(value: float)
 signal refused(message: String)
 
 var _value := 0.0
+var _refused_text := ""
 
 
 func _ready() -> void:
@@ -16,7 +17,7 @@ func _ready() -> void:
 	select_all_on_focus = true
 	add_theme_constant_override(&"minimum_character_width", 1)
 	text_submitted.connect(_enter)
-	focus_exited.connect(func() -> void: _enter(text))
+	focus_exited.connect(_leave)
 
 
 ## Shows [param value]. What the student is just typing here stays until the value changes.
@@ -33,9 +34,18 @@ func _enter(typed: String) -> void:
 	var problem := NumberText.problem(typed)
 	refused.emit(problem)
 	if problem:
+		_refused_text = typed
 		return
 	_value = NumberText.parse(typed)
 	number_entered.emit(_value)
+
+
+# Text that was refused once stays to be mended while the student is here, and goes with the focus.
+func _leave() -> void:
+	if text == _refused_text:
+		text = NumberText.typed(_value)
+	_refused_text = ""
+	_enter(text)
 
 
 func _gui_input(event: InputEvent) -> void:

@@ -1,5 +1,5 @@
 extends DotProductTest
-## The focus in the lesson on the dot product: how keys and gamepad reach the handles and nudge them.
+## The focus in the lesson on the dot product: how keys and gamepad reach handles and nudge them.
 
 
 func test_arrow_keys_nudge_what_has_the_focus_by_one_unit() -> void:

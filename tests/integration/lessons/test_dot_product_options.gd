@@ -107,6 +107,13 @@ func test_one_frame_on_turns_a_by_half_a_degree() -> void:
 	assert_almost_eq(_a().angle_degrees() - before, 0.5, 1e-9)
 
 
+func test_huge_numbers_fit_into_the_panel_at_every_size() -> void:
+	await click_button("Huge")
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(800, 600), Vector2i(720, 1280)]:
+		await resize(size)
+		assert_eq(", ".join(Layout.problems(screen())), "", str(size))
+
+
 func _transport() -> Transport:
 	return frame().lesson.services[&"transport"] as Transport
 

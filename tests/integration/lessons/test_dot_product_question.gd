@@ -52,7 +52,7 @@ func test_nonsense_is_refused_and_may_be_typed_over() -> void:
 	await student.enter(_fields()[0], "seven")
 	assert_reads("“seven” is not a number: type one like 7, -2.5 or 3e8.")
 	assert_eq(_fields()[0].text, "seven")
-	assert_true(Screen.button(screen(), "Show on the board").disabled)
+	assert_true(Screen.button(screen(), "Show on board").disabled)
 
 
 func test_nothing_typed_is_refused_too() -> void:
@@ -71,9 +71,9 @@ func test_new_numbers_ask_another_question_and_clear_the_answer() -> void:
 
 func test_the_numbers_of_the_question_can_be_shown_on_the_board_after_an_answer() -> void:
 	await _new_numbers()
-	assert_true(Screen.button(screen(), "Show on the board").disabled)
+	assert_true(Screen.button(screen(), "Show on board").disabled)
 	await _answer(_numbers(1234.5, _fields().size()))
-	await click_button("Show on the board")
+	await click_button("Show on board")
 	assert_a([0, 0, _a.x, _a.y])
 	assert_b([0, 0, _b.x, _b.y])
 

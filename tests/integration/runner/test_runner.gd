@@ -4,8 +4,9 @@ extends LabTest
 
 const PROJECT := "res://build/runner_test"
 
-var _last_line := ""
-var _output := ""
+
+func should_skip_script() -> bool:
+	return not LabCommand.is_possible()
 
 
 func before_all() -> void:
@@ -14,83 +15,91 @@ func before_all() -> void:
 
 
 func test_asserts_that_hold_are_green() -> void:
-	assert_eq(_run("good"), 0)
-	assert_eq(_last_line, "17 passed, 0 failed")
+	var lab := _run("good")
+	assert_eq(lab.exit_code, 0)
+	assert_eq(lab.last_line(), "17 passed, 0 failed")
+
+
+func test_errors_that_a_test_expects_are_not_shown() -> void:
+	var lab := _run("good", ["-gunit_test_name=test_expected"])
+	assert_eq(lab.last_line(), "2 passed, 0 failed")
+	assert_does_not_have(lab.output.split("\n"), "ERROR: again")
 
 
 func test_each_assert_can_fail_and_names_its_line() -> void:
-	assert_eq(_run("failing"), 1)
-	assert_string_starts_with(_last_line, "0 passed, ")
-	assert_eq(_output.count("cases/failing/test_asserts_fail.gd:"), _count_failing_cases())
-	assert_string_contains(_output, "test_asserts_fail.gd:8 test_eq: [1] expected")
+	var lab := _run("failing")
+	assert_eq(lab.exit_code, 1)
+	assert_string_starts_with(lab.last_line(), "0 passed, ")
+	assert_string_contains(lab.output, "test_asserts_fail.gd:8 test_eq: [1] expected")
+	assert_eq(lab.output.count("\ncases/failing/test_asserts_fail.gd:"), _count_failing_cases())
 
 
 func test_a_test_without_an_assert_is_red() -> void:
-	assert_eq(_run("no_assert"), 1)
-	assert_string_contains(_output, "test_that_does_not asserts nothing")
-	assert_string_starts_with(_last_line, "1 passed, ")
+	var lab := _run("no_assert")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_that_does_not asserts nothing")
+	assert_string_starts_with(lab.last_line(), "1 passed, ")
 
 
 func test_a_script_that_does_not_parse_is_red() -> void:
-	assert_eq(_run("no_parse"), 1)
-	assert_string_contains(_output, "test_no_parse.gd was not run")
-	assert_string_starts_with(_last_line, "1 passed, ")
+	var lab := _run("no_parse")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_no_parse.gd was not run")
+	assert_string_starts_with(lab.last_line(), "1 passed, ")
 
 
 func test_an_error_that_no_test_expects_is_red() -> void:
-	assert_eq(_run("unexpected_error"), 1)
-	assert_string_contains(_output, "test_unexpected_error.gd:5")
+	var lab := _run("unexpected_error")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_unexpected_error.gd:5")
 
 
 func test_a_warning_outside_of_a_test_is_red() -> void:
-	assert_eq(_run("unexpected_warning"), 1)
-	assert_string_contains(_output, "test_unexpected_warning.gd:5 unexpected message")
+	var lab := _run("unexpected_warning")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_unexpected_warning.gd:5 unexpected message")
 
 
 func test_a_forgotten_node_is_red() -> void:
-	assert_eq(_run("orphan"), 1)
-	assert_string_contains(_output, "an orphan node was left")
+	var lab := _run("orphan")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "an orphan node was left")
 
 
 func test_a_pending_test_is_red() -> void:
-	assert_eq(_run("pending"), 1)
-	assert_string_contains(_output, "test_to_come is pending: not yet")
+	var lab := _run("pending")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_to_come is pending: not yet")
+
+
+func test_a_skipped_script_is_red() -> void:
+	var lab := _run("skipped")
+	assert_eq(lab.exit_code, 1)
+	assert_string_contains(lab.output, "test_skipped.gd was skipped")
 
 
 func test_no_test_at_all_is_red() -> void:
-	assert_eq(_run("nothing"), 1)
-	assert_string_starts_with(_last_line, "0 passed, ")
+	var lab := _run("nothing")
+	assert_eq(lab.exit_code, 1)
+	assert_string_starts_with(lab.last_line(), "0 passed, ")
 
 
 func test_selecting_what_is_not_there_is_red() -> void:
-	assert_eq(_run("good", ["-gselect=not_there"]), 1)
-	assert_string_starts_with(_last_line, "0 passed, ")
+	var lab := _run("good", ["-gselect=not_there"])
+	assert_eq(lab.exit_code, 1)
+	assert_string_starts_with(lab.last_line(), "0 passed, ")
 
 
 func test_selecting_one_test_runs_only_that() -> void:
-	assert_eq(_run("good", ["-gunit_test_name=test_signal"]), 0)
-	assert_eq(_last_line, "1 passed, 0 failed")
+	var lab := _run("good", ["-gunit_test_name=test_signal"])
+	assert_eq(lab.exit_code, 0)
+	assert_eq(lab.last_line(), "1 passed, 0 failed")
 
 
-## Runs the tests of one folder and returns the exit code.
-func _run(folder: String, options: PackedStringArray = []) -> int:
-	var lab := ProjectSettings.globalize_path(PROJECT.path_join("lab"))
-	var arguments: PackedStringArray = [
-		"GODOT=" + OS.get_executable_path(), "GUT_REPO=" + _repository(), lab, "test"
-	]
-	arguments.append("-gdir=res://cases/" + folder)
-	var said := []
-	var code := OS.execute("env", arguments + options, said, true)
-	_output = said[0]
-	var lines := _output.strip_edges().split("\n")
-	_last_line = lines[lines.size() - 1]
-	return code
-
-
-## Keeps the small project on the runner that runs this test.
-func _repository() -> String:
-	var plugin := FileAccess.get_file_as_string("res://addons/gut/plugin.cfg")
-	return "none" if plugin.contains("stand-in") else ""
+## Runs the tests of one folder of cases/.
+func _run(folder: String, options: PackedStringArray = []) -> LabCommand:
+	var arguments: PackedStringArray = ["test", "-gdir=res://cases/" + folder]
+	return LabCommand.run(PROJECT, arguments + options)
 
 
 func _count_failing_cases() -> int:

@@ -84,6 +84,16 @@ func test_a_ball_that_overlaps_and_approaches_touches_at_once() -> void:
 	assert_vec2(impact.normal, Vec2.new(-1, 0), 0.0)
 
 
+func test_a_ball_just_off_the_end_does_not_touch_at_once() -> void:
+	assert_almost_eq(_impact(Vec2.new(-3.125, 0), Vec2.new(10, 0), 3.0).time, 0.0125, 1e-15)
+
+
+func test_a_slow_ball_touches_as_a_fast_one_does() -> void:
+	var impact := _impact(Vec2.new(-3.0 - 1.0 / 64.0, 0), Vec2.new(1.0 / 32.0, 0), 3.0)
+	assert_true(impact.hit)
+	assert_almost_eq(impact.time, 0.5, 1e-12)
+
+
 func test_a_ball_whose_centre_is_on_the_end_is_left_alone() -> void:
 	assert_false(_impact(Vec2.zero(), Vec2.new(10, 0), 3.0).hit)
 

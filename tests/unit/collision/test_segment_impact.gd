@@ -49,6 +49,38 @@ func test_the_nearer_of_two_ends_is_met() -> void:
 	assert_eq(impact.time, 0.1)
 
 
+func test_the_start_is_met_before_an_end_farther_on() -> void:
+	var impact := _with_floor(Vec2.new(-150, 0), Vec2.new(400, 0))
+	assert_eq(impact.feature, Impact.Feature.START)
+	assert_eq(impact.time, 0.1)
+
+
+func test_of_two_ends_touched_at_once_the_start_counts() -> void:
+	var short := LineSegment.new(Vec2.new(-6, 0), Vec2.new(6, 0))
+	var impact := SegmentImpact.with_caps(Vec2.new(0, -48), Vec2.new(0, 80), RADIUS, short)
+	assert_eq(impact.time, 0.5)
+	assert_eq(impact.feature, Impact.Feature.START)
+
+
+func test_the_ends_belong_to_the_line() -> void:
+	assert_true(SegmentImpact.is_beside_line(Vec2.new(-100, -7), _floor()))
+	assert_true(SegmentImpact.is_beside_line(Vec2.new(100, 7), _floor()))
+	assert_false(SegmentImpact.is_beside_line(Vec2.new(-100.001, -7), _floor()))
+	assert_false(SegmentImpact.is_beside_line(Vec2.new(100.001, 7), _floor()))
+
+
+func test_a_segment_faces_even_a_point_close_to_it() -> void:
+	var below := SegmentImpact.facing_segment(Vec2.new(30, 0.25), _floor())
+	assert_vec2(below.start, Vec2.new(-100, 0), 0.0)
+	var above := SegmentImpact.facing_segment(Vec2.new(30, -0.25), _floor())
+	assert_vec2(above.start, Vec2.new(100, 0), 0.0)
+
+
+func test_a_segment_is_not_turned_for_a_point_on_it() -> void:
+	var facing := SegmentImpact.facing_segment(Vec2.new(30, 0), _floor())
+	assert_vec2(facing.start, Vec2.new(-100, 0), 0.0)
+
+
 func test_an_infinite_line_is_not_a_segment() -> void:
 	assert_false(_with_floor(Vec2.new(130, -50), Vec2.new(0, 80)).hit)
 
@@ -97,6 +129,15 @@ func test_a_ball_sunk_into_both_ends_is_turned_back_by_the_nearer_one() -> void:
 	assert_eq(impact.time, 0.0)
 	assert_eq(impact.feature, Impact.Feature.END)
 	assert_vec2(impact.normal, Vec2.new(0.6, -0.8), 1e-15)
+
+
+func test_a_ball_sunk_into_one_end_touches_that_end() -> void:
+	var at_start := _with_floor(Vec2.new(-104, -3), Vec2.new(80, 0))
+	assert_eq(at_start.feature, Impact.Feature.START)
+	assert_vec2(at_start.normal, Vec2.new(-0.8, -0.6), 1e-15)
+	var at_end := _with_floor(Vec2.new(104, -3), Vec2.new(-80, 0))
+	assert_eq(at_end.feature, Impact.Feature.END)
+	assert_vec2(at_end.normal, Vec2.new(0.8, -0.6), 1e-15)
 
 
 func test_a_sunk_ball_that_approaches_is_turned_back_at_once() -> void:

@@ -1,0 +1,185 @@
+class_name EasyBounceModel
+extends RefCounted
+## A ball and a line that may be tilted; each frame is handled twice, by the easy program and by the
+## normal.
+##
+## The ball as it stands in frame 0, before the program reacts, is the state. The frames before are
+## its straight flight, the frames after are run by the programs. Velocities are in pixels per
+## frame.
+
+## The line is never tilted further than this, to either side, in degrees.
+const STEEPEST := 45.0
+## Pixels from the middle of the drawn line to its ends; collisions take it as infinite.
+const HALF_LENGTH := 160.0
+## So many frames are shown before frame 0, unless the ball would overlap there already.
+const FRAMES_BEFORE := 4
+## So many frames are shown after frame 0.
+const FRAMES_AFTER := 4
+
+## The ball in frame 0, after its move; pixels, and pixels per frame.
+var ball := Ball.new(Vec2.new(0.0, 4.0), 60.0, Vec2.new(20.0, 48.0))
+## The middle of the line, about which it is tilted; in pixels.
+var pivot := Vec2.new(0.0, 40.0)
+## Degrees by which the line is turned clockwise from level (a wall: from upright), within
+## -STEEPEST..STEEPEST.
+var tilt_degrees := 0.0
+## False: a floor below the ball. True: a wall to its right.
+var is_wall := false
+
+# Frames since frame 0, with the part of a frame that has passed in slow motion.
+var _elapsed := 0.0
+
+
+## The line, with its normal on the side of the ball.
+func line() -> LineSegment:
+	var along := Vec2.unit_degrees((90.0 if is_wall else 180.0) + tilt_degrees).scaled(HALF_LENGTH)
+	return LineSegment.new(pivot.minus(along), pivot.plus(along))
+
+
+## Where the easy program sees the line: the y of the floor right below [param point], or the x of
+## the wall right beside it.
+func line_at(point: Vec2) -> float:
+	var slope := tan(Vec2.deg_to_rad(tilt_degrees))
+	if is_wall:
+		return pivot.x - (point.y - pivot.y) * slope
+	return pivot.y + (point.x - pivot.x) * slope
+
+
+## The distance as the easy program has it: straight down to the floor, or straight right to the
+## wall; in pixels.
+func straight_distance(point: Vec2) -> float:
+	return line_at(point) - (point.x if is_wall else point.y)
+
+
+## The point of the line that the easy program measures to.
+func straight_foot(point: Vec2) -> Vec2:
+	var at := line_at(point)
+	return Vec2.new(at, point.y) if is_wall else Vec2.new(point.x, at)
+
+
+## The distance that counts: the shortest one, along the perpendicular; in pixels.
+func shortest_distance(point: Vec2) -> float:
+	return LineDistance.signed_distance(point, line())
+
+
+## The foot of the perpendicular from [param point] on the line.
+func shortest_foot(point: Vec2) -> Vec2:
+	return point.minus(line().normal().scaled(shortest_distance(point)))
+
+
+## Whether the easy program takes [param moved] for a hit.
+func easy_detects(moved: Ball) -> bool:
+	if is_wall:
+		return AxisBounce.hits_wall(moved, line_at(moved.position))
+	return AxisBounce.hits_floor(moved, line_at(moved.position))
+
+
+## What the easy program makes of the ball [param moved]: detect, put back, flip. It flips only what
+## comes towards the line.
+func easy_result(moved: Ball) -> Ball:
+	var result := moved.copy()
+	if not easy_detects(moved):
+		return result
+	if is_wall:
+		AxisBounce.put_beside_wall(result, line_at(moved.position))
+		if result.velocity.x > 0.0:
+			AxisBounce.flip_x(result)
+	else:
+		AxisBounce.put_on_floor(result, line_at(moved.position))
+		if result.velocity.y > 0.0:
+			AxisBounce.flip_y(result)
+	return result
+
+
+## What the ball [param moved] should become: put back along the normal, velocity reflected.
+func right_result(moved: Ball) -> Ball:
+	var result := moved.copy()
+	if LineDistance.is_overlapping(moved, line()):
+		PositionReset.reset(result, line())
+		Bounce.apply(result.velocity, line().normal())
+	return result
+
+
+## Pixels by which the easy distance of [param moved] differs from the exact shortest one. Exact is
+## the projection of the difference vector on the line's normal to about 100 bits.
+func distance_error(moved: Ball) -> float:
+	return exact_error(straight_distance(moved.position), moved.position)
+
+
+## Pixels by which [param distance] differs from the exact distance of [param point].
+func exact_error(distance: float, point: Vec2) -> float:
+	var along := line().along()
+	var normal := Vec2.new(-along.y, along.x)
+	return ExactProjection.error_of_scalar_projection(
+		distance, LineDistance.difference(point, line()), normal
+	)
+
+
+## Pixels between where the easy program puts [param moved] and where it belongs.
+func position_error(moved: Ball) -> float:
+	return easy_result(moved).position.distance_to(right_result(moved).position)
+
+
+## Length of the difference of both velocities after the frame, in pixels per frame.
+func velocity_error(moved: Ball) -> float:
+	return easy_result(moved).velocity.distance_to(right_result(moved).velocity)
+
+
+# The frames.
+
+
+## The frame that is shown; 0 is the one in which [member ball] stands.
+func frame() -> int:
+	return floori(_elapsed)
+
+
+## Lets [param frames] pass, backwards if negative. After the last frame comes the first one.
+func advance(frames: float) -> void:
+	var count := float(FRAMES_AFTER + 1 - first_frame())
+	_elapsed = first_frame() + fposmod(_elapsed + frames - first_frame(), count)
+
+
+## Goes back to frame 0.
+func rewind() -> void:
+	_elapsed = 0.0
+
+
+## The ball of the shown frame becomes the ball of frame 0: somebody takes hold of it.
+func take_hold() -> void:
+	ball = moved_ball(frame())
+	rewind()
+
+
+## The first frame shown, 0 or below: as far back as the ball flies free.
+func first_frame() -> int:
+	for back in range(1, FRAMES_BEFORE + 1):
+		if LineDistance.is_overlapping(_ball_in_flight(-back), line()):
+			return 1 - back
+	return -FRAMES_BEFORE
+
+
+## The easy program's ball in this frame after its move, before it reacts.
+func moved_ball(in_frame: int) -> Ball:
+	if in_frame <= 0:
+		return _ball_in_flight(in_frame)
+	var moved := ball_after(in_frame - 1, easy_result)
+	moved.position.add(moved.velocity)
+	return moved
+
+
+## The ball at the end of this frame, if each frame from 0 on is handled by [param program]:
+## [method easy_result] or [method right_result].
+func ball_after(in_frame: int, program: Callable) -> Ball:
+	if in_frame < 0:
+		return _ball_in_flight(in_frame)
+	var current: Ball = program.call(ball)
+	for i in in_frame:
+		current.position.add(current.velocity)
+		current = program.call(current)
+	return current
+
+
+func _ball_in_flight(in_frame: int) -> Ball:
+	var there := ball.copy()
+	there.position.add(ball.velocity.scaled(in_frame))
+	return there

@@ -1,0 +1,87 @@
+class_name NormalsModel
+extends RefCounted
+## A line from a start to an end, its vector v and the normals of v.
+##
+## v = (x, y) is end minus start, in pixels. Its normal is (-y, x), whichever way y is drawn.
+
+## What a change did to the line.
+enum Change { NONE, MOVED, STRETCHED, TURNED }
+
+## Two directions count as the same when their unit vectors differ by at most this.
+const SAME_DIRECTION := 1e-9
+
+## Where the line begins, in pixels.
+var start := Vec2.new()
+## Where the line ends, in pixels.
+var end := Vec2.new(3.0, 1.0)
+## How many times the unit normal is drawn, so that it can be seen; negative for the other side.
+var times := 2.0
+## False draws y downwards, as on the screen; true upwards. No number depends on it.
+var is_y_up := false
+## The mistake that is switched on, by its number; 0 for none.
+var mistake := 0
+
+
+## The vector of the line: end minus start.
+func v() -> Vec2:
+	return end.minus(start)
+
+
+## The normal (-y, x): +90 degrees from [method v], of the same length. Zero for a zero v.
+func normal() -> Vec2:
+	var along := v()
+	return Vec2.new(-along.y, along.x)
+
+
+## The opposite normal (y, -x).
+func opposite() -> Vec2:
+	return normal().negated()
+
+
+## The unit normal: [method normal] divided by its length. Zero for a zero v.
+func unit() -> Vec2:
+	return v().normal()
+
+
+## The unit normal [member times] over.
+func scaled() -> Vec2:
+	return unit().scaled(times)
+
+
+## The middle of the line, where its normal is drawn.
+func middle() -> Vec2:
+	return start.lerped(end, 0.5)
+
+
+## What happened to the line since its vector was [param old_v] and it began at [param old_start].
+func change_since(old_start: Vec2, old_v: Vec2) -> Change:
+	if v().equals_approx(old_v, 0.0):
+		return Change.NONE if start.equals_approx(old_start, 0.0) else Change.MOVED
+	if v().normalized().equals_approx(old_v.normalized(), SAME_DIRECTION):
+		return Change.STRETCHED
+	return Change.TURNED
+
+
+## By how many degrees the line has been turned since its vector was [param old_v], in (-180, 180].
+func turned_degrees(old_v: Vec2) -> float:
+	return Vec2.rad_to_deg(old_v.angle_to(v()))
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"line": PackedFloat64Array([start.x, start.y, end.x, end.y]),
+		"times": times,
+		"is_y_up": is_y_up,
+		"mistake": mistake,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var ends: PackedFloat64Array = stored["line"]
+	start.set_xy(ends[0], ends[1])
+	end.set_xy(ends[2], ends[3])
+	times = stored["times"]
+	is_y_up = stored["is_y_up"]
+	mistake = stored["mistake"]

@@ -1,0 +1,61 @@
+class_name NormalsVerdict
+extends VerdictCard
+## Says which way +90 degrees turns on the screen, and what became of the normal when the line was
+## dragged.
+
+
+## Shows the words for [param model] and what changed since [param before]; null where nothing did.
+func show_model(model: NormalsModel, before: NormalsModel) -> void:
+	if model.mistake != 0:
+		show_verdict("✗", Palette.Role.WRONG, _mistake_words(model))
+	elif model.v().length() == 0.0:
+		show_verdict(
+			"0", Palette.Role.QUIET, [tr("The zero vector"), tr("has no normal: it is 0.")]
+		)
+	else:
+		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
+
+
+## Stands where no arrow of [param model] points: v and both normals leave the corner behind v.
+func stand_behind(model: NormalsModel) -> void:
+	var v := model.v()
+	var points_down := (v.y < 0.0) == model.is_y_up
+	if v.x >= 0.0:
+		stand_in(PRESET_TOP_LEFT if points_down else PRESET_BOTTOM_LEFT)
+	else:
+		stand_in(PRESET_TOP_RIGHT if points_down else PRESET_BOTTOM_RIGHT)
+
+
+func _turn_words(model: NormalsModel) -> String:
+	return tr("+90° turns %s") % NormalsTexts.clockwise_text(model)
+
+
+func _change_words(model: NormalsModel, before: NormalsModel) -> String:
+	var change := NormalsModel.Change.NONE
+	if before:
+		change = model.change_since(before.start, before.v())
+	match change:
+		NormalsModel.Change.MOVED:
+			return tr("moved: v, n and n̂ are unchanged")
+		NormalsModel.Change.STRETCHED:
+			return tr("same slope: n̂ is unchanged")
+		NormalsModel.Change.TURNED:
+			var degrees := NumberText.short(model.turned_degrees(before.v()), 3)
+			return tr("turned by %s°: so is the normal") % degrees
+	return tr("y points up") if model.is_y_up else tr("y points down")
+
+
+func _mistake_words(model: NormalsModel) -> PackedStringArray:
+	var v := model.v()
+	if model.mistake == NormalsMistakes.WRONG_NORMAL:
+		var degrees := Vec2.rad_to_deg(v.angle_to(NormalsMistakes.swapped(v)))
+		return [
+			tr("(y, x): %s° from v, not +90°") % NumberText.short(degrees, 3),
+			tr("(y, −x): −90°, the other side"),
+		]
+	var wrong := NormalsMistakes.wrong_unit(model.mistake, v)
+	var right := model.unit()
+	return [
+		tr("wrong: %s") % NumberText.pair(wrong.x, wrong.y),
+		tr("right: %s") % NumberText.pair(right.x, right.y),
+	]

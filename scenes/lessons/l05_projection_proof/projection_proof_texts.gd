@@ -1,0 +1,84 @@
+class_name ProjectionProofTexts
+extends RefCounted
+## The sentences and formula lines of the proof, step by step.
+
+## The steps, counted from 0.
+enum Step { WANTED, TURN, READ_OFF, EXPAND, TRIANGLE, PUT_IN, COMPARE }
+
+## The unit vector along b.
+const UNIT := "b\u0302"
+
+
+## One sentence a step, translated.
+static func sentences(model: ProjectionProofModel) -> PackedStringArray:
+	if not model.has_direction():
+		var refusal := _translate("b is zero: it has no direction, so there is no β. Drag b away.")
+		var refusals: PackedStringArray = []
+		refusals.resize(Step.size())
+		refusals.fill(refusal)
+		return refusals
+	return [
+		_translate("Wanted: p, the shadow of a on b. How long is it, and with which sign?"),
+		_translate("Turn both by −β until b lies on the x axis. No length changes."),
+		_translate("Now the shadow lies on the x axis: its length is the x of a′."),
+		_translate("ax and ay turn along. Their shadows on the axis add up to a′.x."),
+		_translate("The triangle of b holds cos β and sin β: its sides divided by |b|."),
+		_translate("Put them in: what comes out is a · b̂. No angle is left in it."),
+		_translate("Both sides, computed in two ways: do they agree to the last bit?"),
+	]
+
+
+## The formula lines at [param step]. The lines on the angle go when the angle is no longer needed.
+static func lines(model: ProjectionProofModel, step: Step) -> PackedStringArray:
+	var found: PackedStringArray = ["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"]
+	if not model.has_direction():
+		return found
+	if step < Step.TRIANGLE:
+		found.append("β = atan2({b_y}, {b_x}) = {beta}")
+	if step in [Step.TURN, Step.READ_OFF, Step.EXPAND]:
+		found.append(_turned_line(model))
+	if step >= Step.READ_OFF:
+		found.append(_translate("signed length of {p} = {a_turned}.x = {scalar}"))
+	if step >= Step.EXPAND:
+		found.append("{a_turned}.x = {a_x}·cos β + {a_y}·sin β")
+	if step >= Step.TRIANGLE:
+		found.append("cos β = {b}x / |{b}| = {b_x} / {b_length} = {cosine_value}")
+		found.append("sin β = {b}y / |{b}| = {b_y} / {b_length} = {sine_value}")
+	if step >= Step.PUT_IN:
+		found.append("{a_turned}.x = {a_x}·{cosine} + {a_y}·{sine} = {scalar}")
+		found.append("= ({a_x}·{b_x} + {a_y}·{b_y}) / {b_length} = {a} · {e}")
+	if step >= Step.COMPARE:
+		found.append("{a_turned}.x − {a} · {e} = {difference}")
+	return found
+
+
+# The vectors are called a′ and b′ only when they have arrived.
+static func _turned_line(model: ProjectionProofModel) -> String:
+	if model.turned_share == 1.0:
+		return "{a_turned} = {a_turned_pair}     {b_turned} = {b_turned_pair}"
+	return _translate("on the way: {a_turned_pair}     {b_turned_pair}")
+
+
+## In words, translated: both sides with all their digits, and how far they are apart.
+static func comparison(model: ProjectionProofModel) -> PackedStringArray:
+	if not model.has_direction():
+		return [_translate("b is zero: no direction, no shadow")]
+	return [
+		"a′.x = %s" % NumberText.all_digits(model.x_of_turned_a()),
+		"a · %s = %s" % [UNIT, NumberText.all_digits(model.dot_with_unit())],
+		_agreement(model.units_apart()),
+	]
+
+
+static func _agreement(units: float) -> String:
+	if units == 0.0:
+		return _translate("equal to the last bit")
+	if units == 1.0:
+		return _translate("1 unit in the last place apart")
+	if units > 1e6:
+		return _translate("Both mean 0: only rounding is left")
+	return _translate("%s units in the last place apart") % NumberText.short(units)
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

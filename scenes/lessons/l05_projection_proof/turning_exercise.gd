@@ -1,0 +1,101 @@
+class_name TurningExercise
+extends Exercise
+## Asks for one line of the proof with fresh whole numbers.
+##
+## b is a multiple of a Pythagorean triple, so that its length is whole and answers are short.
+
+## What is asked for: the turned b, cosine and sine of its angle, or x of the turned a.
+enum Kind { TURNED_A, COSINE_AND_SINE, TURNED_B }
+
+const _TRIPLES: Array[Vector2i] = [
+	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(12, 5)
+]
+
+## The vector whose shadow is looked for.
+var a: Vec2
+## The vector on which it falls; its length is a whole number.
+var b: Vec2
+
+
+## A question with the vectors [param a_vector] and [param b_vector].
+func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
+	a = a_vector
+	b = b_vector
+	match kind:
+		Kind.TURNED_A:
+			_ask_turned_a()
+		Kind.COSINE_AND_SINE:
+			_ask_cosine_and_sine()
+		Kind.TURNED_B:
+			_ask_turned_b()
+
+
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
+	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
+	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
+	var shadowed := Vec2.new(
+		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
+	)
+	return new(kind, shadowed, onto)
+
+
+static func _random_sign(rng: RandomNumberGenerator) -> int:
+	return 1 if rng.randi_range(0, 1) == 1 else -1
+
+
+func _ask_turned_a() -> void:
+	var question := tr("a = %s and b = %s are turned until b lies on the x axis. What is a′.x?")
+	prompt = question % [NumberText.pair(a.x, a.y), NumberText.pair(b.x, b.y)]
+	answer_titles = ["a′.x ="]
+	right_answer = [a.scalar_projection(b)]
+	var size := b.length()
+	_add([a.dot(b)], _not_divided(size))
+	_add([(a.x * b.x - a.y * b.y) / size], tr("Turned the wrong way: by β instead of −β."))
+	_add([-a.dot(b) / size], tr("The sign is wrong: unlike signs make a product negative."))
+	_add([-b.cross(a) / size], tr("The sign is wrong, and that is a′.y."))
+	_add([b.cross(a) / size], tr("That is a′.y, the rest. Asked is a′.x, the shadow."))
+	_add(
+		[(a.x * b.y + a.y * b.x) / size],
+		tr("Cosine and sine are swapped: cos β = bx / |b|, sin β = by / |b|.")
+	)
+	_add([a.length()], tr("That is |a|. Turning keeps the length of a, not its x."))
+	_add([a.x], tr("That is the x of a before the turn."))
+
+
+func _ask_cosine_and_sine() -> void:
+	var question := tr("b = %s has the angle β. What are cos β and sin β?")
+	prompt = question % NumberText.pair(b.x, b.y)
+	answer_titles = ["cos β =", "sin β ="]
+	var unit := b.normalized()
+	right_answer = [unit.x, unit.y]
+	_add([unit.y, unit.x], tr("Swapped: the cosine belongs to x, the sine to y."))
+	_add([b.x, b.y], _not_divided(b.length()))
+	_add([unit.x, -unit.y], tr("The sine has the sign of by, also where y points down."))
+	_add([-unit.x, unit.y], tr("The cosine has the sign of bx."))
+	_add([absf(unit.x), absf(unit.y)], tr("Signs are missing: they are those of bx and by."))
+	_add([-unit.x, -unit.y], tr("Both signs are wrong: they are those of bx and by."))
+
+
+func _ask_turned_b() -> void:
+	var question := tr("b = %s is turned by −β. Where does its head lie then?")
+	prompt = question % NumberText.pair(b.x, b.y)
+	answer_titles = ["b′.x =", "b′.y ="]
+	var size := b.length()
+	right_answer = [size, 0.0]
+	_add([1.0, 0.0], tr("That is the turned unit vector. Turning keeps the length of b."))
+	_add([0.0, size], tr("That is on the y axis: b turns to the x axis."))
+	_add([b.x, 0.0], tr("That is the shadow of b on the x axis. Turning keeps the length."))
+	_add([absf(b.x), 0.0], tr("That is a shadow on the x axis. Turning keeps the length."))
+	_add([b.x, -b.y], tr("That is b mirrored at the x axis, not turned."))
+	_add([-size, 0.0], tr("The other way round: b points along the x axis, not against it."))
+	_add([b.length_squared(), 0.0], tr("That is |b|²: the root is missing."))
+
+
+func _not_divided(size: float) -> String:
+	var sentence := tr("Not divided by |b|: that is %s times too big.")
+	return sentence % NumberText.short(size)
+
+
+func _add(answer: PackedFloat64Array, sentence: String) -> void:
+	add_mistake(answer, sentence)

@@ -1,0 +1,120 @@
+class_name LineDistanceDrawing
+extends Node2D
+## The drawing of the lesson on the distance from a line: difference vector, its shadow on the
+## normal, the gap, and what the mistake that is switched on makes of it.
+
+@onready var _endless: InfiniteLine = %Endless
+@onready var _line: DraggableVector = %Line
+@onready var _from: Handle = %From
+@onready var _ball: BallView = %Ball
+@onready var _ball_handle: BallHandle = %BallHandle
+@onready var _labels: LineDistanceLabels = %Labels
+@onready var _difference: Arrow = %Difference
+@onready var _normal: Arrow = %Normal
+@onready var _shadow: Arrow = %Shadow
+@onready var _rest: Arrow = %Rest
+@onready var _right_angle: AngleArc = %RightAngle
+@onready var _gap: DimensionLine = %Gap
+@onready var _radius: DimensionLine = %Radius
+@onready var _to_segment: DimensionLine = %ToSegment
+@onready var _wrong_ball: BallView = %WrongBall
+@onready var _wrong_way: DimensionLine = %WrongWay
+@onready var _right_way: DimensionLine = %RightWay
+
+
+## Draws [param model] as far as [param step], counted from 0, has got.
+func show_model(model: LineDistanceModel, step: int) -> void:
+	_endless.lay(model.line.start, model.line.along())
+	_line.lay(model.line.start, model.line.end)
+	_from.place(model.from())
+	_lay_ball(model, step)
+	_lay_normal(model, step)
+	_lay_shadow(model, step)
+	_lay_gap(model, step)
+	_lay_to_segment(model, step)
+	_lay_mistake(model)
+
+
+## Lights up what has the colour of [param role].
+func light(role: Palette.Role) -> void:
+	_difference.lit = role == Palette.Role.A
+	_normal.lit = role == Palette.Role.UNIT
+	_shadow.lit = role == Palette.Role.PROJECTION
+
+
+func _lay_ball(model: LineDistanceModel, step: int) -> void:
+	_ball.role = Palette.Role.INK
+	_ball.label = ""
+	if step >= 3:
+		_ball.role = Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT
+		_ball.label = LineDistanceTexts.ball_word(model)
+	_ball.lay(model.ball.position, model.ball.radius)
+	_ball_handle.role = _ball.role
+	_ball_handle.place_ball(model.ball.position, model.ball.radius)
+	_difference.lay(model.from(), model.ball.position)
+	_difference.keep_label_from(model.foot())
+
+
+func _lay_normal(model: LineDistanceModel, step: int) -> void:
+	var times := 2.0 * _endless.board.grid_step
+	_normal.lay(model.from(), model.from().plus(model.line.normal().scaled(times)))
+	_normal.visible = step >= 1
+	_labels.lay(model, step, times)
+
+
+func _lay_shadow(model: LineDistanceModel, step: int) -> void:
+	var normal := model.line.normal()
+	var corner := model.from().plus(normal.scaled(model.distance()))
+	_shadow.lay(model.from(), corner)
+	_rest.lay(corner, model.ball.position)
+	var back := normal.scaled(-model.distance())
+	_right_angle.measure(corner, back, model.ball.position.minus(corner))
+	_shadow.visible = step >= 2
+	_rest.visible = step >= 2
+	_right_angle.visible = _right_angle.visible and step >= 2
+
+
+func _lay_gap(model: LineDistanceModel, step: int) -> void:
+	var away := _away_from_p(model)
+	# Where both overlap, the gap is drawn beside the ball.
+	var rim_pixels := model.ball.radius * _endless.board.pixels_per_unit
+	_gap.offset = 18.0 if model.gap() > 0.0 else rim_pixels + 14.0
+	_gap.label = tr("gap %s") % NumberText.short(model.gap())
+	_gap.lay(model.foot(), model.rim(), away)
+	_gap.visible = step >= 3 and model.mistake == 0
+	_radius.label = "r"
+	_radius.lay(model.rim(), model.ball.position, away.negated())
+	_radius.visible = _gap.visible
+
+
+func _away_from_p(model: LineDistanceModel) -> Vec2:
+	var along := model.line.along()
+	return along if model.difference().dot(along) >= 0.0 else along.negated()
+
+
+func _lay_to_segment(model: LineDistanceModel, step: int) -> void:
+	_to_segment.label = tr("segment %s") % NumberText.short(model.segment_distance())
+	var outside := model.foot().minus(model.ball.position)
+	_to_segment.lay(model.nearest(), model.ball.position, outside)
+	_to_segment.visible = step >= 4 and model.is_beside_end()
+
+
+func _lay_mistake(model: LineDistanceModel) -> void:
+	var place := model.position_with_mistake()
+	var is_shown := model.mistake != 0 and place.is_finite()
+	_wrong_ball.visible = is_shown
+	_wrong_way.visible = is_shown
+	_right_way.visible = model.mistake != 0
+	_right_way.label = tr("right %s") % NumberText.short(model.distance())
+	_right_way.lay(model.foot(), model.ball.position, _away_from_p(model).negated())
+	if not is_shown:
+		return
+	_wrong_ball.lay(place, model.ball.radius)
+	_wrong_way.label = tr("wrong %s") % NumberText.short(model.distance_with_mistake())
+	if model.mistake == LineDistanceMistakes.STRAIGHT_UP:
+		var below := LineDistanceMistakes.point_straight_below(model.ball.position, model.line)
+		_wrong_way.offset = 0.0
+		_wrong_way.lay(below, model.ball.position, below.minus(model.foot()))
+	else:
+		_wrong_way.offset = 14.0
+		_wrong_way.lay(model.foot(), place, _away_from_p(model))

@@ -1,0 +1,96 @@
+class_name LineDistanceExercise
+extends Exercise
+## Asks for the signed distance of a point from a line, or for the gap of a ball, with fresh whole
+## numbers.
+##
+## The line runs along a multiple of a Pythagorean triple, so that its length is whole and answers
+## are short.
+
+## What is asked for.
+enum Kind { DISTANCE, GAP }
+
+const _TRIPLES: Array[Vector2i] = [Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6)]
+
+## The line from which the distance is asked for.
+var line: LineSegment
+## The ball; only its gap needs its radius.
+var ball: Ball
+
+
+## A question on [param its_line] and [param its_ball].
+func _init(kind: Kind, its_line: LineSegment, its_ball: Ball) -> void:
+	line = its_line
+	ball = its_ball
+	if kind == Kind.DISTANCE:
+		_ask_distance()
+	else:
+		_ask_gap()
+
+
+## A question with numbers drawn from [param rng]; the ball's centre is never on the line.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> LineDistanceExercise:
+	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
+	var along := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
+	var from := Vec2.new(rng.randi_range(-5, 5), rng.randi_range(-5, 5))
+	var asked := LineSegment.new(from, from.plus(along))
+	var centre := from.plus(Vec2.new(rng.randi_range(-9, 9), rng.randi_range(-9, 9)))
+	if along.cross(centre.minus(from)) == 0.0:
+		centre.add(Vec2.new(1.0, 0.0))
+	return new(kind, asked, Ball.new(centre, rng.randi_range(1, 4)))
+
+
+static func _random_sign(rng: RandomNumberGenerator) -> int:
+	return 1 if rng.randi_range(0, 1) == 1 else -1
+
+
+func _ask_distance() -> void:
+	var sentence := tr("A line leads from %s to %s. What is the signed distance of c = %s from it?")
+	prompt = sentence % [_pair(line.start), _pair(line.end), _pair(ball.position)]
+	answer_titles = ["d · n̂ ="]
+	_add_mistakes(LineDistance.signed_distance(ball.position, line), 0.0)
+
+
+func _ask_gap() -> void:
+	var sentence := tr(
+		"A line leads from %s to %s. A ball at c = %s has radius %s. What is its gap?"
+	)
+	var radius := NumberText.short(ball.radius)
+	prompt = sentence % [_pair(line.start), _pair(line.end), _pair(ball.position), radius]
+	answer_titles = [tr("gap =")]
+	_add_mistakes(LineDistance.gap(ball, line), ball.radius)
+	_add(LineDistance.signed_distance(ball.position, line), tr("The radius is not subtracted yet."))
+	_add(
+		LineDistance.signed_distance(ball.position, line) + ball.radius,
+		tr("The radius is subtracted, not added: the rim is nearer than the centre.")
+	)
+
+
+func _add_mistakes(right: float, less: float) -> void:
+	right_answer = [right]
+	var numbers := [LineDistanceMistakes.NOT_UNIT, LineDistanceMistakes.WRONG_SIGN]
+	for number: int in numbers + [LineDistanceMistakes.STRAIGHT_UP]:
+		var wrong := LineDistanceMistakes.distance(number, ball.position, line) - less
+		_add(wrong, _sentences()[number])
+	var to_ball := LineDistance.difference(ball.position, line)
+	_add(
+		to_ball.scalar_projection(line.along()) - less, tr("That is along the line, not along n̂.")
+	)
+	_add(to_ball.length() - less, tr("That is |d|: the way to the start, not to the line."))
+	_add(absf(right), tr("Mind the sign: n̂ = (−y, x) points to the good side."))
+
+
+func _sentences() -> Dictionary[int, String]:
+	var too_big := tr("The normal is not unit: that is |l| = %s times too far.")
+	return {
+		LineDistanceMistakes.NOT_UNIT: too_big % NumberText.short(line.length()),
+		LineDistanceMistakes.WRONG_SIGN: tr("The sign is wrong: n̂ is (−y, x), not (y, −x)."),
+		LineDistanceMistakes.STRAIGHT_UP: tr("That is straight up, not along the perpendicular."),
+	}
+
+
+func _add(answer: float, sentence: String) -> void:
+	add_mistake([answer], sentence)
+
+
+static func _pair(point: Vec2) -> String:
+	return NumberText.pair(point.x, point.y)

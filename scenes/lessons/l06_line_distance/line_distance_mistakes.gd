@@ -1,0 +1,58 @@
+class_name LineDistanceMistakes
+extends RefCounted
+## The wrong distances of the bug gallery. The right one is [LineDistance].
+
+## The normal is not brought to length 1.
+const NOT_UNIT := 10
+## The normal points to the other side.
+const WRONG_SIGN := 9
+## The distance is measured straight up instead of along the perpendicular.
+const STRAIGHT_UP := -2
+
+
+## What the mistake with this number takes for the signed distance of [param point] from
+## [param line], in pixels; the right one for 0. Infinite or NaN straight up from a vertical line.
+static func distance(number: int, point: Vec2, line: LineSegment) -> float:
+	match number:
+		NOT_UNIT:
+			var along := line.along()
+			return LineDistance.difference(point, line).dot(Vec2.new(-along.y, along.x))
+		WRONG_SIGN:
+			return LineDistance.difference(point, line).dot(line.normal().negated())
+		STRAIGHT_UP:
+			return point_straight_below(point, line).y - point.y
+	return LineDistance.signed_distance(point, line)
+
+
+## The point of the line that has the same x as [param point]; not finite for a vertical line.
+static func point_straight_below(point: Vec2, line: LineSegment) -> Vec2:
+	var along := line.along()
+	return Vec2.new(point.x, line.start.y + (point.x - line.start.x) * along.y / along.x)
+
+
+## What the gallery shows.
+static func infos() -> Array[MistakeInfo]:
+	return [
+		MistakeInfo.new(
+			STRAIGHT_UP,
+			_translate("distance measured straight up"),
+			_translate("Longer than the perpendicular: seen too late."),
+			"test_line_distance.test_straight_up_is_longer"
+		),
+		MistakeInfo.new(
+			WRONG_SIGN,
+			_translate("normal with the wrong sign"),
+			_translate("(y, −x) is the normal of the other side."),
+			"test_line_distance.test_the_good_side_is_kept"
+		),
+		MistakeInfo.new(
+			NOT_UNIT,
+			_translate("normal not unit"),
+			_translate("Not divided by |l|: |l| times too far."),
+			"test_line_distance.test_the_normal_is_unit"
+		),
+	]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,127 @@
+class_name LineDistanceModel
+extends RefCounted
+## A ball and a line without ends: how far one is from the other, measured from any point of the
+## line.
+
+## The line; its ends only say where it is drawn, and where [method segment_distance] ends.
+var line := LineSegment.new(Vec2.new(200.0, 150.0), Vec2.new(-200.0, -150.0))
+## The ball, at rest.
+var ball := Ball.new(Vec2.new(120.0, -35.0), 30.0)
+## Where on the line the difference vector begins: 0 is its start, 1 its end, others lie beyond.
+var from_share := 0.7
+## The mistake that is switched on, by its number in [LineDistanceMistakes]; 0 for none.
+var mistake := 0
+
+
+## The point of the line from which the difference vector leads to the ball.
+func from() -> Vec2:
+	return line.start.lerped(line.end, from_share)
+
+
+## The difference vector d: the ball's centre less [method from].
+func difference() -> Vec2:
+	return ball.position.minus(from())
+
+
+## The distance of the centre as measured from [method from]: d . n, in pixels; negative behind the
+## line.
+func distance() -> float:
+	return difference().dot(line.normal())
+
+
+## The same distance as [LineDistance] measures it: from the start of the line.
+func distance_from_start() -> float:
+	return LineDistance.signed_distance(ball.position, line)
+
+
+## Pixels between the ball's rim and the line; negative where they overlap.
+func gap() -> float:
+	return LineDistance.gap(ball, line)
+
+
+## Whether the ball is closer than its radius, or behind the line.
+func is_overlapping() -> bool:
+	return LineDistance.is_overlapping(ball, line)
+
+
+## Whether the ball's centre is behind the line, where the normal does not point.
+func is_behind() -> bool:
+	return distance_from_start() < 0.0
+
+
+## Where the perpendicular from the ball's centre meets the line.
+func foot() -> Vec2:
+	return line.start.lerped(line.end, line.share_of(ball.position))
+
+
+## Where the ball's rim is nearest to the line: the radius closer than its centre.
+func rim() -> Vec2:
+	return ball.position.minus(line.normal().scaled(ball.radius))
+
+
+## Whether the foot of the perpendicular lies beyond an end of the drawn line.
+func is_beside_end() -> bool:
+	return not SegmentImpact.is_beside_line(ball.position, line)
+
+
+## The point of the drawn line that is nearest to the ball's centre.
+func nearest() -> Vec2:
+	return line.closest_point(ball.position)
+
+
+## Pixels from the ball's centre to the drawn line with its ends; never negative.
+func segment_distance() -> float:
+	return ball.position.distance_to(nearest())
+
+
+## The distance as the mistake that is switched on has it; the right one where none is.
+func distance_with_mistake() -> float:
+	return LineDistanceMistakes.distance(mistake, ball.position, line)
+
+
+## Where the ball would have to be for [method distance_with_mistake] to be right.
+func position_with_mistake() -> Vec2:
+	return foot().plus(line.normal().scaled(distance_with_mistake()))
+
+
+## Slides the start of the difference vector to the point of the line nearest to [param point].
+func slide_to(point: Vec2) -> void:
+	from_share = line.share_of(point)
+
+
+## Moves the line's ends. "" if that can be; else a sentence, and the line stays.
+func move_line(start: Vec2, end: Vec2) -> String:
+	var moved := LineSegment.new(start, end)
+	var problem := moved.problem()
+	if problem == "":
+		line = moved
+	return problem
+
+
+## Changes the radius. "" if that can be; else a sentence, and the radius stays.
+func resize_ball(radius: float) -> String:
+	var resized := Ball.new(ball.position, radius)
+	var problem := resized.problem()
+	if problem == "":
+		ball = resized
+	return problem
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
+		"ball": PackedFloat64Array([ball.position.x, ball.position.y, ball.radius]),
+		"from_share": from_share,
+		"mistake": mistake,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var ends: PackedFloat64Array = stored["line"]
+	var centre_and_radius: PackedFloat64Array = stored["ball"]
+	line = LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3]))
+	ball = Ball.new(Vec2.new(centre_and_radius[0], centre_and_radius[1]), centre_and_radius[2])
+	from_share = stored["from_share"]
+	mistake = stored["mistake"]

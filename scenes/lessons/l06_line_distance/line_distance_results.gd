@@ -1,0 +1,29 @@
+class_name LineDistanceResults
+extends RefCounted
+## Shows in the readout the distance as measured from p and from the start of the line, and how far
+## each is from the exact one.
+
+var _readout: Readout
+var _nanoseconds: Dictionary[String, float] = {}
+
+
+## Writes into [param readout].
+func _init(readout: Readout) -> void:
+	_readout = readout
+
+
+## Measures the run times of both ways. Between drags only, which it would slow down.
+func measure(model: LineDistanceModel) -> void:
+	_nanoseconds["from_p"] = CallTimer.nanoseconds(model.distance)
+	_nanoseconds["from_start"] = CallTimer.nanoseconds(model.distance_from_start)
+
+
+## Shows distances and errors for [param model] with the run times measured last.
+func show_model(model: LineDistanceModel) -> void:
+	_show_way("from_p", tr("from p"), model.distance(), model)
+	_show_way("from_start", tr("from the start"), model.distance_from_start(), model)
+
+
+func _show_way(key: String, title: String, value: float, model: LineDistanceModel) -> void:
+	var error := ExactLineDistance.error_of(value, model.ball.position, model.line)
+	_readout.show_result(key, title, value, error, _nanoseconds[key])

@@ -1,0 +1,93 @@
+class_name LineDistanceTexts
+extends RefCounted
+## The sentences and formula lines of the lesson on the distance from a line, step by step, and its
+## verdict.
+
+
+## One sentence a step, translated.
+static func sentences(model: LineDistanceModel) -> PackedStringArray:
+	return [
+		_translate("d leads from a point p of the line to the ball's centre c. Slide p."),
+		_translate("The unit normal n̂ is perpendicular to the line. Its side is the good one."),
+		_translate("The shadow of d on n̂ is the distance of c. Slide p: d changes, this stays."),
+		_translate("Less the radius: the gap. Below 0 is too close, or behind the line."),
+		_beside_end(model),
+	]
+
+
+## The formula lines of all steps up to [param step], counted from 0.
+static func lines(model: LineDistanceModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = []
+	var groups := _lines()
+	# What a mistake computes stands where else the gap would.
+	var last := step if model.mistake == 0 else mini(step, 2)
+	for i in last + 1:
+		found.append_array(groups[i])
+	if model.mistake != 0:
+		found.append(_wrong_lines()[model.mistake])
+	return found
+
+
+## The word above the ball, translated.
+static func ball_word(model: LineDistanceModel) -> String:
+	if model.is_behind():
+		return _translate("behind")
+	return _translate("too close") if model.is_overlapping() else _translate("free")
+
+
+## What was found, in two or three lines, translated.
+static func verdict(model: LineDistanceModel) -> PackedStringArray:
+	var words: PackedStringArray = [_gap_words(model.gap(), model.is_behind()), _side_words(model)]
+	if model.mistake != 0:
+		var wrong := NumberText.short(model.distance_with_mistake() - model.ball.radius)
+		words.append(_translate("the mistake says: a gap of %s px") % wrong)
+	return words
+
+
+static func _gap_words(gap: float, is_behind: bool) -> String:
+	if is_behind:
+		return _translate("Behind the line: %s px too far") % NumberText.short(-gap)
+	if gap < 0.0:
+		return _translate("Too close by %s px") % NumberText.short(-gap)
+	return _translate("Free: a gap of %s px") % NumberText.short(gap)
+
+
+static func _side_words(model: LineDistanceModel) -> String:
+	if model.is_beside_end():
+		var gap := NumberText.short(model.segment_distance() - model.ball.radius)
+		return _translate("beside the end: gap to the segment %s px") % gap
+	if model.is_behind():
+		return _translate("the distance is negative here")
+	return _translate("on the good side, where n̂ points")
+
+
+static func _beside_end(model: LineDistanceModel) -> String:
+	if model.is_beside_end():
+		return _translate("Beside the end both distances differ: the endless line is nearer.")
+	return _translate("Here both distances agree. Drag the ball past an end of the line.")
+
+
+static func _lines() -> Array[PackedStringArray]:
+	return [
+		[
+			"{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )",
+			"{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}",
+			"{d} = {c} − {p} = {d_pair}"
+		],
+		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
+		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
+		["gap = {d} · {n} − r = {gap}"],
+		["to the segment: |{c} − {nearest}| = {segment}"],
+	]
+
+
+static func _wrong_lines() -> Dictionary[int, String]:
+	return {
+		LineDistanceMistakes.NOT_UNIT: "{wrong}: {d} · ( −({ly}), {lx} ) = {wrong_distance}",
+		LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
+		LineDistanceMistakes.STRAIGHT_UP: "{wrong}: straight up {wrong_distance}",
+	}
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,59 @@
+class_name PointOfImpactMistakes
+extends RefCounted
+## The wrong shares of the bug gallery. The right one is [PointOfImpact].
+
+## Divides by the new distance instead of the way of the frame.
+const OVER_NEW := 15
+## Takes distances without their sign, also behind the line.
+const UNSIGNED := 16
+## Believes every t, also beyond 0..1 and where b is 0.
+const NOT_LIMITED := 17
+## Computes the time from the new position and adds it to the old one.
+const FROM_NEW := 20
+
+
+## What the mistake with this number takes for the share of the frame until the contact; the right
+## t = a / b, not limited, for 0. Infinite or NaN where it divides by 0.
+static func share(number: int, old_distance: float, new_distance: float, radius: float) -> float:
+	match number:
+		OVER_NEW:
+			return (old_distance - radius) / new_distance
+		UNSIGNED:
+			return PointOfImpact.share(absf(old_distance), absf(new_distance), radius)
+		FROM_NEW:
+			return (new_distance - radius) / (old_distance - new_distance)
+	return PointOfImpact.share(old_distance, new_distance, radius)
+
+
+## What the gallery shows.
+static func infos() -> Array[MistakeInfo]:
+	return [
+		MistakeInfo.new(
+			OVER_NEW,
+			_translate("a / new instead of a / b"),
+			_translate("b is the way of the frame: old − new."),
+			"test_point_of_impact.test_b_is_old_less_new"
+		),
+		MistakeInfo.new(
+			UNSIGNED,
+			_translate("distances without a sign"),
+			_translate("Behind the line, the new distance is negative."),
+			"test_point_of_impact.test_distances_are_signed"
+		),
+		MistakeInfo.new(
+			NOT_LIMITED,
+			_translate("t not limited to 0..1"),
+			_translate("Outside 0..1, and for b = 0, nothing is hit."),
+			"test_point_of_impact.test_share_is_limited"
+		),
+		MistakeInfo.new(
+			FROM_NEW,
+			_translate("time from the new position"),
+			_translate("t counts from old: a is old − r."),
+			"test_point_of_impact.test_time_is_from_old"
+		),
+	]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,144 @@
+class_name PointOfImpactModel
+extends RefCounted
+## One frame of a ball's motion towards a line without ends: where it touches, and where a position
+## reset puts it.
+
+## What the two distances say of the frame.
+enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALLEL }
+
+## The line; its ends only say where it is drawn.
+var line := LineSegment.new(Vec2.new(60.0, 45.0), Vec2.new(-60.0, -45.0))
+## The ball's centre before the frame and after it, if nothing were in the way.
+var old_position := Vec2.new(6.0, -58.0)
+var new_position := Vec2.new(6.0, 42.0)
+## The ball's radius in pixels.
+var radius := 10.0
+## The mistake that is switched on, by its number in [PointOfImpactMistakes]; 0 for none.
+var mistake := 0
+
+
+## The motion of the whole frame v, in pixels: new less old position.
+func motion() -> Vec2:
+	return new_position.minus(old_position)
+
+
+## Signed distance of the old position from the line, in pixels.
+func old_distance() -> float:
+	return LineDistance.signed_distance(old_position, line)
+
+
+## Signed distance of the new position from the line, in pixels.
+func new_distance() -> float:
+	return LineDistance.signed_distance(new_position, line)
+
+
+## a = old - r: the way along the normal up to the contact.
+func way_to_contact() -> float:
+	return old_distance() - radius
+
+
+## b = old - new: the way along the normal of the whole frame.
+func way_of_frame() -> float:
+	return old_distance() - new_distance()
+
+
+## t = a / b, not limited; infinite or NaN for b = 0.
+func share() -> float:
+	return PointOfImpact.share(old_distance(), new_distance(), radius)
+
+
+## The impact in this frame, or why there is none.
+func impact() -> Impact:
+	return PointOfImpact.with_line(old_position, motion(), radius, line)
+
+
+## Which of the cases this frame is.
+func frame_case() -> Case:
+	match impact().outcome:
+		Impact.Outcome.PARALLEL:
+			return Case.PARALLEL
+		Impact.Outcome.MOVING_AWAY:
+			return Case.LEAVING if way_to_contact() < 0.0 else Case.MOVING_AWAY
+		Impact.Outcome.TOO_FAR:
+			return Case.TOO_FAR
+	return Case.OVERLAPS_FROM_START if way_to_contact() < 0.0 else Case.IN_FRAME
+
+
+## Whether the ball overlaps the line after the frame, so that a position reset moves it.
+func is_reset() -> bool:
+	return new_distance() < radius
+
+
+## Where the position reset puts the ball's centre.
+func reset_position() -> Vec2:
+	var ball := Ball.new(new_position, radius)
+	PositionReset.reset(ball, line)
+	return ball.position
+
+
+## How many pixels [param position] is from the exact contact on the path; means something only in
+## the case [constant Case.IN_FRAME].
+func error_of(position: Vec2) -> float:
+	return ExactContact.distance_from(position, old_position, new_position, radius, line)
+
+
+## t as the mistake that is switched on has it; the right one where none is.
+func share_with_mistake() -> float:
+	return PointOfImpactMistakes.share(mistake, old_distance(), new_distance(), radius)
+
+
+## Where the mistake that is switched on puts the ball; not finite where it divides by 0.
+func position_with_mistake() -> Vec2:
+	return old_position.plus(motion().scaled(share_with_mistake()))
+
+
+## Makes the frame's motion this long and keeps old position and direction. "" if that can be; else
+## a sentence, and the motion stays.
+func set_speed(pixels: float) -> String:
+	if not (pixels > 0.0 and is_finite(pixels)):
+		var sentence := "The speed must be above 0 and finite, not %s."
+		return TranslationServer.translate(sentence) % NumberText.short(pixels)
+	if motion().length() == 0.0:
+		return TranslationServer.translate("A ball at rest has no direction: drag old or new.")
+	new_position = old_position.plus(motion().normalized().scaled(pixels))
+	return ""
+
+
+## Moves the line's ends. "" if that can be; else a sentence, and the line stays.
+func move_line(start: Vec2, end: Vec2) -> String:
+	var moved := LineSegment.new(start, end)
+	var problem := moved.problem()
+	if problem == "":
+		line = moved
+	return problem
+
+
+## Changes the radius. "" if that can be; else a sentence, and the radius stays.
+func set_radius(pixels: float) -> String:
+	var problem := Ball.new(old_position, pixels).problem()
+	if problem == "":
+		radius = pixels
+	return problem
+
+
+## All of it, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
+		"old": PackedFloat64Array([old_position.x, old_position.y]),
+		"new": PackedFloat64Array([new_position.x, new_position.y]),
+		"radius": radius,
+		"mistake": mistake,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var ends: PackedFloat64Array = stored["line"]
+	var old: PackedFloat64Array = stored["old"]
+	var new: PackedFloat64Array = stored["new"]
+	line = LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3]))
+	old_position = Vec2.new(old[0], old[1])
+	new_position = Vec2.new(new[0], new[1])
+	radius = stored["radius"]
+	mistake = stored["mistake"]

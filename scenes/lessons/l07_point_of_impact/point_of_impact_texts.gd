@@ -1,0 +1,106 @@
+class_name PointOfImpactTexts
+extends RefCounted
+## The sentences and formula lines of the lesson on the point of impact, step by step, and its
+## verdict.
+
+
+## One sentence a step, translated.
+static func sentences(model: PointOfImpactModel) -> PackedStringArray:
+	return [
+		_translate("One frame moves the ball by v from old to new. Drag both."),
+		_translate("Position reset: back along n̂ until it just touches. But was it ever there?"),
+		_translate("Along n̂: a = old − r is the way to the contact, b = old − new all of it."),
+		_translate("t = a / b is the share of the frame until the contact. It must be in 0..1."),
+		_last_sentence(model),
+	]
+
+
+## The formula lines of all steps up to [param step], counted from 0.
+static func lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = [
+		"old ( {old_x} , {old_y} )     new ( {new_x} , {new_y} )",
+		"l: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}",
+	]
+	if model.mistake != 0:
+		# What a mistake computes stands beside t, where else motion, reset and POI would be.
+		found.append(_ways_line())
+		found.append("t = {t}     {wrong}: " + _wrong_terms()[model.mistake])
+		return found
+	found.append("v = new − old = {v_pair}     |v| = {speed}")
+	var later := _later_lines()
+	for i in step:
+		found.append(later[i])
+	return found
+
+
+## What was found, in two or three lines, translated.
+static func verdict(model: PointOfImpactModel) -> PackedStringArray:
+	var words := _case_words(model.frame_case())
+	words[0] = words[0] % NumberText.short(model.share()) if words[0].contains("%s") else words[0]
+	if model.mistake != 0:
+		words.append(_mistake_words(model))
+	return words
+
+
+static func _case_words(frame_case: PointOfImpactModel.Case) -> PackedStringArray:
+	match frame_case:
+		PointOfImpactModel.Case.IN_FRAME:
+			return [_translate("t = %s, within 0..1"), _translate("it touches in this frame")]
+		PointOfImpactModel.Case.OVERLAPS_FROM_START:
+			return [_translate("t = %s, below 0"), _translate("too close already: contact at once")]
+		PointOfImpactModel.Case.TOO_FAR:
+			return [_translate("t = %s, above 1"), _translate("no contact in this frame yet")]
+		PointOfImpactModel.Case.MOVING_AWAY:
+			return [_translate("t = %s, b below 0"), _translate("it moves away: never an impact")]
+		PointOfImpactModel.Case.LEAVING:
+			return [_translate("t = %s, but b below 0"), _translate("on its way out: no impact")]
+	return [_translate("b = 0: nothing to divide by"), _translate("it moves along the line")]
+
+
+static func _mistake_words(model: PointOfImpactModel) -> String:
+	var wrong := model.share_with_mistake()
+	if not model.position_with_mistake().is_finite():
+		return _translate("the mistake says t = %s: ball lost") % NumberText.short(wrong)
+	if wrong == model.share():
+		var is_right := model.frame_case() == PointOfImpactModel.Case.IN_FRAME
+		var same := _translate("the mistake changes nothing here")
+		return same if is_right else _translate("the mistake takes this t all the same")
+	return _translate("the mistake says t = %s") % NumberText.short(wrong)
+
+
+static func _last_sentence(model: PointOfImpactModel) -> String:
+	if model.frame_case() == PointOfImpactModel.Case.IN_FRAME:
+		var off := NumberText.short(model.error_of(model.reset_position()), 3)
+		return _translate("POI = old + t v is on the path. The reset is %s px beside it.") % off
+	if model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START:
+		return _translate("It overlaps before it moves: the frame begins with the contact.")
+	return _translate("No impact in this frame: the ball may go to new.")
+
+
+static func _later_lines() -> PackedStringArray:
+	return [
+		"{reset} = new + ({r_value} − {new_distance}) {n} = {reset_pair}",
+		_ways_line(),
+		"t = {a_symbol} / {b_symbol} = {a} / {b} = {t}",
+		"{poi} = old + t v = {poi_pair}",
+	]
+
+
+static func _ways_line() -> String:
+	return (
+		"{a_symbol} = {old_distance} − {r_value} = {a}     "
+		+ "{b_symbol} = {old_distance} − {new_distance} = {b}"
+	)
+
+
+static func _wrong_terms() -> Dictionary[int, String]:
+	return {
+		PointOfImpactMistakes.OVER_NEW: "a / new = {wrong_t}",
+		PointOfImpactMistakes.UNSIGNED: "a / (old − |new|) = {wrong_t}",
+		PointOfImpactMistakes.NOT_LIMITED: "any t, even {wrong_t}",
+		PointOfImpactMistakes.FROM_NEW: "(new − r) / b = {wrong_t}",
+	}
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

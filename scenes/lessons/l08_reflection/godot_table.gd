@@ -1,0 +1,50 @@
+class_name GodotTable
+extends PanelContainer
+## Godot's own methods beside ours: which call is which, what it answers, and how far the 32 bits of
+## Vector2 are from the exact answer.
+
+const _COLUMNS := 4
+
+@onready var _cells: GridContainer = %Cells
+
+
+func _ready() -> void:
+	_add_row([tr("Vector2"), tr("is our"), tr("value"), tr("error")], &"LabelQuiet")
+	_add_row(["bounce(n)", "reflect(n, 1)", "", ""])
+	_add_row(["slide(n)", "reflect(n, 0)", "", ""])
+	_add_row(["reflect(n)", "−reflect(n, 1)", "", ""])
+
+
+## Shows what the three answer for the velocity and the normal of [param model]. They are not asked
+## where the normal is not of length 1: Godot prints an error then.
+func show_model(model: ReflectionModel) -> void:
+	if model.refusal():
+		for row: int in [1, 2, 3]:
+			_show(row, tr("an error"), "")
+		return
+	var velocity := model.velocity.to_vector2()
+	var normal := model.unit_normal().to_vector2()
+	_show_answer(1, velocity.bounce(normal), model, 2.0)
+	_show_answer(2, velocity.slide(normal), model, 1.0)
+	_show_answer(3, velocity.reflect(normal), model, 2.0)
+
+
+func _show_answer(row: int, answer: Vector2, model: ReflectionModel, times: float) -> void:
+	# Godot's reflect gives minus what ours gives.
+	var compared := Vec2.from_vector2(-answer if row == 3 else answer)
+	var error := ExactReflection.error_of(compared, model.velocity, model.along, times)
+	_show(row, NumberText.pair(answer.x, answer.y), NumberText.size(error))
+
+
+func _show(row: int, value: String, error: String) -> void:
+	(_cells.get_child(row * _COLUMNS + 2) as Label).text = value
+	(_cells.get_child(row * _COLUMNS + 3) as Label).text = error
+
+
+func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:
+	for text in texts:
+		var label := Label.new()
+		label.text = text
+		label.theme_type_variation = variation
+		label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+		_cells.add_child(label)

@@ -1,0 +1,125 @@
+class_name ReflectionExercise
+extends Exercise
+## Asks what becomes of a velocity at a line, with fresh whole numbers.
+##
+## Lines lie along a Pythagorean triple, and the velocity is made of whole multiples of it, so that
+## all answers are whole.
+
+## What is asked for: C = 1, the part along the normal, another C, or the frame after the bounce.
+enum Kind { MIRROR, PART, BOUNCE, AWAY }
+
+## Directions of lines; each has length 1 or 5.
+const _LINES: Array[Vector2i] = [
+	Vector2i(1, 0), Vector2i(0, 1), Vector2i(3, 4), Vector2i(4, 3), Vector2i(3, -4), Vector2i(4, -3)
+]
+
+## So often the line is the part of the velocity along it.
+const _STRETCHES: Array[int] = [1, -1, 3]
+
+## The velocity with which the ball comes.
+var velocity: Vec2
+## A direction of the line: whole numbers, not of length 1.
+var along: Vec2
+## The bounciness C, 0..1.
+var bounciness: float
+
+
+## A question with these numbers.
+func _init(kind: Kind, coming: Vec2, line: Vec2, with_bounciness: float) -> void:
+	velocity = coming
+	along = line
+	bounciness = with_bounciness
+	match kind:
+		Kind.MIRROR, Kind.BOUNCE:
+			_ask_bounce()
+		Kind.PART:
+			_ask_part()
+		Kind.AWAY:
+			_ask_away()
+
+
+## A question with numbers drawn from [param rng]; the ball never flies along the line, nor straight
+## at it.
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ReflectionExercise:
+	var drawn := _LINES[rng.randi_range(0, _LINES.size() - 1)]
+	var line := Vec2.new(drawn.x, drawn.y)
+	var across := Vec2.new(-line.y, line.x)
+	# Even, so that half of it is whole; never as long as the part along the line.
+	var coming := line.scaled(_STRETCHES[rng.randi_range(0, _STRETCHES.size() - 1)])
+	coming.add(across.scaled(-2 if kind != Kind.AWAY else 2))
+	return new(kind, coming, line, 0.5 if kind == Kind.BOUNCE else 1.0)
+
+
+func _ask_bounce() -> void:
+	var question := tr("v = %s meets a line along %s with C = %s. What is v afterwards?")
+	prompt = question % [_text(velocity), _text(along), NumberText.short(bounciness)]
+	answer_titles = ["x =", "y ="]
+	var normal := along.normal()
+	var part := velocity.vector_projection(normal)
+	_expect(velocity.reflected(normal, bounciness))
+	_add(
+		ReflectionMistakes.with_normal_as_it_is(velocity, Vec2.new(-along.y, along.x), bounciness),
+		tr("The normal was not brought to length 1.")
+	)
+	_add(
+		ReflectionMistakes.off_the_normal_of_the_normal(velocity, normal, bounciness),
+		tr("Reflected off the line's direction, not off its normal: the normal of the normal.")
+	)
+	_add(
+		ReflectionMistakes.bouncy_along_the_line(velocity, normal, bounciness),
+		tr("C acts on the part along the normal only, not along the line.")
+	)
+	_add(velocity.reflected(normal).scaled(bounciness), tr("C acts on the whole v there."))
+	_add(velocity.reflected(normal), tr("That is C = 1: subtract (1 + C) times, not twice."))
+	_add(velocity.minus(part), tr("Subtracted once only: the ball slides along the line."))
+	_add(velocity.minus(part.scaled(bounciness)), tr("Subtracted C times, not (1 + C) times."))
+	_add(velocity.plus(part), tr("Added instead of subtracted: faster into the line."))
+	_add(Vec2.new(velocity.x, -velocity.y), tr("Flipping y is right for a level line only."))
+	_add(Vec2.new(-velocity.x, velocity.y), tr("Flipping x is right for an upright line only."))
+	_add(
+		velocity.negated(), tr("That turns the ball back on its way. Only the part along n turns.")
+	)
+
+
+func _ask_part() -> void:
+	var question := tr(
+		"v = %s meets a line along %s. What is (v · n) n, its part along the normal?"
+	)
+	prompt = question % [_text(velocity), _text(along)]
+	answer_titles = ["x =", "y ="]
+	var part := velocity.vector_projection(along.normal())
+	_expect(part)
+	_add(velocity.minus(part), tr("That is what is left: the part along the line."))
+	_add(part.negated(), tr("The other way round. Both normals give the same: signs cancel."))
+	_add(part.scaled(along.length_squared()), tr("The normal was not brought to length 1."))
+	_add(
+		part.scaled(along.length()), tr("The normal was brought to length 1 once, but used twice.")
+	)
+	_add(velocity.reflected(along.normal()), tr("That is v after the bounce already."))
+
+
+func _ask_away() -> void:
+	var question := tr(
+		"Last frame the ball bounced. Now v = %s, n = %s; it still overlaps the line."
+	)
+	prompt = question % [_text(velocity), _text(along.normal())]
+	prompt += " " + tr("What is v after this frame?")
+	answer_titles = ["x =", "y ="]
+	_expect(velocity)
+	_add(
+		velocity.reflected(along.normal()),
+		tr("v · n is above 0: it moves away already. Reflected again, it would stick.")
+	)
+	_add(Vec2.new(), tr("It is not stopped: it already moves away, so it is left alone."))
+
+
+func _expect(answer: Vec2) -> void:
+	right_answer = [answer.x, answer.y]
+
+
+func _add(answer: Vec2, sentence: String) -> void:
+	add_mistake([answer.x, answer.y], sentence)
+
+
+func _text(vector: Vec2) -> String:
+	return NumberText.pair(vector.x, vector.y)

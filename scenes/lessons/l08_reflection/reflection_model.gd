@@ -1,0 +1,183 @@
+class_name ReflectionModel
+extends RefCounted
+## A ball that meets a line at the origin, and what becomes of its velocity.
+##
+## Velocities in units per second. The line goes through the origin, from minus [member along] to
+## plus along; the ball touches it there at time 0.
+
+## How the drawing is built up. Each step says how often the part along the normal is subtracted.
+enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
+
+## The ball is seen from so many seconds before it touches the line.
+const START := -1.2
+## The ball is seen until so many seconds after that.
+const END := 1.6
+## How far from 1 the length of a normal may be: as in [method Vec2.reflect].
+const NORMAL_TOLERANCE := 1e-9
+
+## The velocity with which the ball comes.
+var velocity := Vec2.new(3.0, 4.0)
+## Half of the line that is drawn, from the origin to one end; never zero.
+var along := Vec2.new(-7.0, 0.0)
+## The bounciness C (coefficient of restitution), 0..1.
+var bounciness := 1.0
+## False takes a normal of [member normal_length] instead of one of length 1.
+var has_unit_normal := true
+## The length of the normal where it is not 1.
+var normal_length := 2.0
+## The number of the mistake that is switched on; 0 for none.
+var mistake := 0
+## Seconds since the ball touches the line, within [constant START] to [constant END].
+var time := START:
+	set(value):
+		time = clampf(value, START, END)
+
+
+## The normal of length 1.
+func unit_normal() -> Vec2:
+	return along.normal()
+
+
+## The normal that is handed to reflect: of length 1, or of [member normal_length].
+func used_normal() -> Vec2:
+	return unit_normal() if has_unit_normal else unit_normal().scaled(normal_length)
+
+
+## The unit normal on the side from which the ball comes: v . n is not above 0 for it.
+func facing_normal() -> Vec2:
+	return unit_normal() if velocity.dot(unit_normal()) <= 0.0 else unit_normal().negated()
+
+
+## "" if the normal can be used; else the sentence with which [method Vec2.reflect] refuses it.
+func refusal() -> String:
+	var size := used_normal().length()
+	if absf(size - 1.0) <= NORMAL_TOLERANCE:
+		return ""
+	return "Vec2.reflect: the normal must have length 1, but has length %s." % size
+
+
+## (v . n) n with the unit normal: the part of the velocity along the normal.
+func normal_part() -> Vec2:
+	return velocity.vector_projection(unit_normal())
+
+
+## How often the part along the normal is subtracted at [param step]; never where the normal is
+## refused.
+func times_subtracted(step: Step) -> float:
+	if refusal() or step < Step.SLIDE:
+		return 0.0
+	if step == Step.BOUNCE:
+		return 1.0 + bounciness
+	return 1.0 if step == Step.SLIDE else 2.0
+
+
+## The velocity after the part along the normal was subtracted [param times] times: 0, or 1 to 2.
+func velocity_after(times: float) -> Vec2:
+	return velocity.copy() if times == 0.0 else velocity.reflected(unit_normal(), times - 1.0)
+
+
+## What [method Vec2.reflected] answers: the velocity as it was where the normal is refused.
+func reflected() -> Vec2:
+	return velocity.copy() if refusal() else velocity.reflected(used_normal(), bounciness)
+
+
+## The angle in degrees between the way back of the ball and the normal, 0..90.
+func angle_in_degrees() -> float:
+	return absf(Vec2.rad_to_deg(facing_normal().angle_to(velocity.negated())))
+
+
+## The angle in degrees between [param leaving] and the normal on the ball's side, 0..180.
+func angle_out_degrees(leaving: Vec2) -> float:
+	return absf(Vec2.rad_to_deg(facing_normal().angle_to(leaving)))
+
+
+## Which share of the kinetic energy [param leaving] has; 1 for a ball at rest.
+func energy_share(leaving: Vec2) -> float:
+	var speed := velocity.length()
+	return (leaving.length() / speed) ** 2.0 if speed > 0.0 else 1.0
+
+
+## The centre of a ball of [param radius] at [member time], if it leaves with [param leaving].
+func ball_centre(radius: float, leaving: Vec2) -> Vec2:
+	var centre := facing_normal().scaled(radius)
+	centre.add((velocity if time < 0.0 else leaving).scaled(time))
+	return centre
+
+
+## Turns the line so that its normal points along [param direction]. A zero direction is not taken.
+func point_normal(direction: Vec2) -> void:
+	var unit := direction.normalized()
+	if unit.length() > 0.0:
+		along = Vec2.new(unit.y, -unit.x).scaled(along.length())
+
+
+## Takes the bounciness with which the ball leaves nearest to [param head]: 0..1 in steps of 0.05.
+func aim_bounciness(head: Vec2) -> void:
+	var into := velocity.dot(unit_normal())
+	if into != 0.0:
+		bounciness = roundf(20.0 * clampf(-head.dot(unit_normal()) / into, 0.0, 1.0)) / 20.0
+
+
+## Takes a typed number by its name in the formula lines. "" if it could be taken; else one sentence
+## with the value and what is allowed.
+func enter(name_in_line: String, value: float) -> String:
+	var line := along.copy()
+	match name_in_line:
+		"vx":
+			velocity.x = value
+		"vy":
+			velocity.y = value
+		"lx":
+			line.x = value
+		"ly":
+			line.y = value
+		"C":
+			return _enter_bounciness(value)
+		"n_length":
+			return _enter_normal_length(value)
+	if line.length() == 0.0:
+		return TranslationServer.translate(
+			"The line (0, 0) has no direction: x or y must not be 0."
+		)
+	along = line
+	return ""
+
+
+func _enter_bounciness(value: float) -> String:
+	if value < 0.0 or value > 1.0:
+		var sentence := TranslationServer.translate("C must be within 0..1, but is %s.")
+		return sentence % NumberText.short(value)
+	bounciness = value
+	return ""
+
+
+func _enter_normal_length(value: float) -> String:
+	if value <= 0.0:
+		var sentence := TranslationServer.translate("The length of n must be above 0, but is %s.")
+		return sentence % NumberText.short(value)
+	normal_length = value
+	return ""
+
+
+## All of it that the student sets, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"velocity": PackedFloat64Array([velocity.x, velocity.y]),
+		"along": PackedFloat64Array([along.x, along.y]),
+		"bounciness": bounciness,
+		"has_unit_normal": has_unit_normal,
+		"normal_length": normal_length,
+		"mistake": mistake,
+	}
+
+
+## Puts back what [method to_dictionary] has told.
+func from_dictionary(stored: Dictionary) -> void:
+	var of_velocity: PackedFloat64Array = stored["velocity"]
+	var of_along: PackedFloat64Array = stored["along"]
+	velocity.set_xy(of_velocity[0], of_velocity[1])
+	along.set_xy(of_along[0], of_along[1])
+	bounciness = stored["bounciness"]
+	has_unit_normal = stored["has_unit_normal"]
+	normal_length = stored["normal_length"]
+	mistake = stored["mistake"]

@@ -1,0 +1,170 @@
+extends BallLessonTest
+## Drives the lesson on the easy bounce as a student does.
+
+const _PARTS_OF_STEPS: Array[String] = ["%Before", "%Shortest", "%RightBall", "%RightPath"]
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"easy_bounce"))
+
+
+func test_it_starts_with_a_level_floor_and_no_error() -> void:
+	assert_reads("The easy way is right:")
+	assert_has(formula_lines(), "easy: floor − y = 40 − 4 = 36 < r: hit")
+	for row: int in [1, 2, 3, 4]:
+		assert_eq(readout_text(row, 2), "0")
+
+
+func test_the_steps_show_one_thing_at_a_time() -> void:
+	var wanted: Array[Array] = [
+		[false, false, true, true],
+		[false, false, true, false],
+		[false, false, true, false],
+		[false, true, false, false],
+		[true, false, false, false],
+	]
+	for row: Array in wanted:
+		assert_eq(Array(seen(_PARTS_OF_STEPS)), row)
+		await student.press(&"lab_step_back")
+
+
+func test_on_a_tilted_line_the_easy_way_is_drawn_beside_the_right_one() -> void:
+	await click_button("30°")
+	assert_eq(seen(["%EasyPath", "%EasyBall"]), [true, true] as Array[bool])
+	await student.press(&"lab_step_back")
+	assert_eq(seen(["%EasyArrow", "%RightArrow"]), [true, true] as Array[bool])
+	assert_reads("52 px per frame off")
+	await student.press(&"lab_step_back")
+	assert_reads("Put back 14.4 px off")
+	assert_reads("and still 8.04 px deep")
+	await student.press(&"lab_step_back")
+	assert_eq(seen(["%Straight", "%Shortest"]), [true, true] as Array[bool])
+	assert_reads("4.82 px too far")
+
+
+func test_on_a_tilted_line_the_readout_holds_the_size_of_each_error() -> void:
+	await click_button("30°")
+	assert_eq(readout_text(1, 2), "4.82")
+	assert_eq(readout_text(2, 2), "14.4")
+	assert_eq(readout_text(3, 2), "52")
+	await click_button("Level")
+	assert_eq(readout_text(3, 2), "0")
+
+
+func test_dragging_an_end_tilts_the_line() -> void:
+	await drag(Vec2.new(160, 40), Vec2.new(156, 92))
+	assert_eq(_tilt(), 18.0)
+	await drag(Vec2.new(-152.2, -9.4), Vec2.new(-152, 40))
+	assert_eq(_tilt(), 0.0)
+
+
+func test_dragging_the_line_moves_it_without_tilting() -> void:
+	await drag(Vec2.new(-100, 40), Vec2.new(-80, 60))
+	assert_eq(numbers("pivot"), PackedFloat64Array([20, 60]))
+	assert_eq(_tilt(), 0.0)
+
+
+func test_the_keys_at_an_end_tilt_by_a_degree() -> void:
+	Screen.named(screen(), "End of line").grab_focus()
+	await student.press(&"ui_down")
+	assert_eq(_tilt(), -1.0)
+	for i: int in 3:
+		await student.press(&"ui_up")
+	assert_eq(_tilt(), 2.0)
+
+
+func test_dragging_the_ball_or_its_velocity_sets_them() -> void:
+	await drag(Vec2.new(-30, 4), Vec2.new(-50, -16))
+	assert_eq(numbers("ball"), PackedFloat64Array([-20, -16, 20, 48, 60]))
+	await drag(Vec2.new(0, 32), Vec2.new(20, 8))
+	assert_eq(numbers("ball"), PackedFloat64Array([-20, -16, 40, 24, 60]))
+
+
+func test_every_number_can_be_typed() -> void:
+	await student.enter(field("x of the ball"), "8")
+	await student.enter(field("y of the ball"), "-6")
+	await student.enter(field("x of v"), "-3")
+	await student.enter(field("y of v"), "44.5")
+	await student.enter(field("Radius of the ball"), "50")
+	await student.enter(field("Tilt of the line in degrees"), "-12.5")
+	assert_eq(numbers("ball"), PackedFloat64Array([8, -6, -3, 44.5, 50]))
+	assert_eq(_tilt(), -12.5)
+
+
+func test_huge_and_tiny_numbers_leave_finite_results() -> void:
+	await click_button("30°")
+	await student.enter(field("x of the ball"), "1e99")
+	await student.enter(field("y of v"), "-1e99")
+	await student.enter(field("x of v"), "1e-99")
+	for row: int in [1, 2, 3, 4]:
+		var text := readout_text(row, 1) + readout_text(row, 2)
+		assert_false(text.contains("NaN") or text.contains("∞"), text)
+
+
+func test_a_tilt_that_is_too_steep_is_refused_and_the_old_one_stays() -> void:
+	await student.enter(field("Tilt of the line in degrees"), "80")
+	assert_reads("The tilt must be within −45 and 45°, not 80°.")
+	assert_eq(_tilt(), 0.0)
+	assert_eq(field("Tilt of the line in degrees").text, "0")
+
+
+func test_one_frame_on_and_one_back_lead_to_the_very_same_numbers() -> void:
+	await click_button("30°")
+	var before := formula_lines()
+	await click_button("One frame on")
+	assert_has(formula_lines(), "r = 60     tilt = 30°     frame 1")
+	assert_ne(formula_lines()[0], before[0])
+	await click_button("One frame back")
+	assert_eq(formula_lines(), before)
+
+
+func test_playing_moves_the_ball_and_a_drag_pauses_it() -> void:
+	var transport := frame().lesson.services[&"transport"] as Transport
+	await student.press(&"lab_pause")
+	transport.advanced.emit(0.25)
+	assert_has(formula_lines(), "P = ( 40 , -116 )     v = ( 20 , -48 )")
+	await drag(Vec2.new(30, -116), Vec2.new(30, -96))
+	assert_false(transport.is_playing)
+	assert_eq(numbers("ball"), PackedFloat64Array([40, -96, 20, -48, 60]))
+
+
+func test_a_wall_is_the_floor_with_x_and_y_swapped() -> void:
+	await click_button("Wall instead of floor")
+	assert_eq(numbers("ball"), PackedFloat64Array([4, 0, 48, 20, 60]))
+	assert_reads("wall − x = ")
+	for row: int in [1, 2, 3]:
+		assert_eq(readout_text(row, 2), "0")
+	await click_button("Wall instead of floor")
+	assert_eq(numbers("ball"), PackedFloat64Array([0, 4, 20, 48, 60]))
+
+
+func test_undo_and_reset_bring_all_back() -> void:
+	await click_button("30°")
+	await drag(Vec2.new(-30, 4), Vec2.new(-50, -16))
+	await student.press(&"lab_undo")
+	assert_eq(numbers("ball"), PackedFloat64Array([0, 4, 20, 48, 60]))
+	assert_eq(_tilt(), 30.0)
+	await click_button("One frame on")
+	await student.press(&"lab_reset")
+	assert_eq(_tilt(), 0.0)
+	assert_has(formula_lines(), "r = 60     tilt = 0°     frame 0")
+
+
+func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:
+	await student.click(frame().lesson.services[&"question"])
+	var prompt := frame().lesson.services[&"question"].get_node("%Prompt") as Label
+	var found := RegEx.create_from_string("y = (\\d+), radius (\\d+)").search(prompt.text)
+	var floor_y := found.get_string(1).to_float()
+	var radius := found.get_string(2).to_float()
+	await student.enter(field("y ="), str(floor_y + radius))
+	assert_reads("y points down: above the floor is floor − r.")
+	await student.enter(field("y ="), str(floor_y - radius))
+	assert_reads("Right:")
+	await click_button("Show on board")
+	assert_eq(numbers("pivot"), PackedFloat64Array([0, floor_y]))
+
+
+func _tilt() -> float:
+	var degrees: float = frame().lesson.state()["tilt_degrees"]
+	return degrees

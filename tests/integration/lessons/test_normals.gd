@@ -1,0 +1,164 @@
+extends BallLessonTest
+## Drives the lesson on normals as a student does.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"normals"))
+
+
+func test_it_starts_with_the_first_example_of_the_lecture() -> void:
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 3, 1]))
+	assert_has(formula_lines(), "n = (−y, x) = (−1, 3)     v · n = 0")
+	assert_has(formula_lines(), "2 · n̂ = (−0.6325, 1.897)")
+	assert_reads("+90° turns clockwise")
+
+
+func test_the_examples_of_the_lecture_are_there_to_pick() -> void:
+	await click_button("(3, −2)")
+	assert_has(formula_lines(), "n = (−y, x) = (2, 3)     v · n = 0")
+	await click_button("(3, −4)")
+	assert_has(formula_lines(), "|n| = √(4² + 3²) = 5")
+	assert_has(formula_lines(), "n̂ = n / |n| = (0.8, 0.6)")
+
+
+func test_dragging_the_end_turns_the_line_and_says_so() -> void:
+	await drag(Vec2.new(3, 1), Vec2.new(-1, 3))
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, -1, 3]))
+	assert_reads("turned by 90°: so is the normal")
+
+
+func test_dragging_the_end_along_the_line_leaves_the_unit_normal() -> void:
+	await click_button("(3, −2)")
+	await click_button("(3, 1)")
+	await drag(Vec2.new(3, 1), Vec2.new(-3, -1))
+	assert_reads("turned by 180°")
+	await drag(Vec2.new(-3, -1), Vec2.new(-6, -2))
+	assert_reads("same slope: n̂ is unchanged")
+
+
+func test_dragging_the_whole_line_leaves_its_normal_and_says_so() -> void:
+	await drag(Vec2.new(2.4, 0.8), Vec2.new(3.4, -1.2))
+	assert_eq(numbers("line"), PackedFloat64Array([1, -2, 4, -1]))
+	assert_reads("moved: v, n and n̂ are unchanged")
+	assert_has(formula_lines(), "n = (−y, x) = (−1, 3)     v · n = 0")
+	assert_eq(seen(["%OldV", "%OldNormal"]), [true, true] as Array[bool])
+
+
+func test_the_arrow_keys_nudge_the_end_by_a_unit() -> void:
+	(Screen.named(screen(), "End of line v")).grab_focus()
+	await student.press(&"ui_up")
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 3, 0]))
+
+
+func test_with_y_up_the_picture_turns_over_and_no_number_changes() -> void:
+	var lines := formula_lines()
+	var head := place(3, 1)
+	var origin := place(0, 0)
+	await click_button("y points up")
+	assert_eq(formula_lines(), lines)
+	assert_almost_eq(place(3, 1).y - origin.y, origin.y - head.y, 0.01)
+	assert_almost_eq(place(3, 1).x, head.x, 0.01)
+	assert_reads("+90° turns counter-clockwise")
+
+
+func test_with_y_up_dragging_and_keys_follow_the_picture() -> void:
+	await click_button("y points up")
+	await drag(Vec2.new(3, 1), Vec2.new(2, 3))
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 2, 3]))
+	(Screen.named(screen(), "End of line v")).grab_focus()
+	await student.press(&"ui_up")
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 2, 4]))
+
+
+func test_every_number_can_be_typed() -> void:
+	await student.enter(field("x of the start"), "-2")
+	await student.enter(field("y of the start"), "1")
+	await student.enter(field("x of v"), "3")
+	await student.enter(field("y of v"), "-4")
+	await student.enter(field("How many times n̂ is drawn"), "-5")
+	assert_eq(numbers("line"), PackedFloat64Array([-2, 1, 1, -3]))
+	assert_has(formula_lines(), "-5 · n̂ = (−4, −3)")
+
+
+func test_huge_and_tiny_vectors_have_a_unit_normal() -> void:
+	await student.enter(field("x of v"), "3e99")
+	await student.enter(field("y of v"), "-4e99")
+	assert_eq(readout_text(1, 1), "(0.8, 0.6)")
+	await student.enter(field("x of v"), "3e-99")
+	await student.enter(field("y of v"), "-4e-99")
+	assert_eq(readout_text(1, 1), "(0.8, 0.6)")
+
+
+func test_the_steps_build_the_drawing_up() -> void:
+	var parts: Array[String] = ["%Normal", "%Opposite", "%Unit", "%Scaled"]
+	for shown: int in [3, 2, 1, 0]:
+		await student.press(&"lab_step_back")
+		for i: int in parts.size():
+			assert_eq(seen([parts[i]]), [i < shown] as Array[bool], parts[i])
+	await student.press(&"lab_step")
+	assert_eq(seen(["%Normal", "%RightAngle", "%Turn"]), [true, true, true] as Array[bool])
+
+
+func test_a_zero_line_has_no_normal_and_says_so() -> void:
+	await click_button("Zero")
+	assert_reads("has no normal")
+	assert_eq(readout_text(1, 1), "(0, 0)")
+
+
+func test_undo_and_reset_bring_the_line_back() -> void:
+	await drag(Vec2.new(3, 1), Vec2.new(1, 3))
+	await click_button("y points up")
+	await student.press(&"lab_undo")
+	await student.press(&"lab_undo")
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 3, 1]))
+	await click_button("(3, −4)")
+	await student.press(&"lab_reset")
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, 3, 1]))
+	assert_reads("y points down")
+
+
+func test_mistake_9_shows_both_wrong_normals_beside_the_right_one() -> void:
+	await pick_mistake("Mistake 9")
+	assert_eq(seen(["%Normal", "%Swapped", "%WrongSign"]), [true, true, true] as Array[bool])
+	assert_reads("(y, x): 53.1° from v, not +90°")
+	assert_reads("test_mistake_9_the_normal_with_the_wrong_sign_or_swapped")
+	assert_has(formula_lines(), "✗ (y, x) = (1, 3)     v · ✗ (y, x) = 6")
+
+
+func test_mistake_6_shows_nan_for_the_zero_vector() -> void:
+	await pick_mistake("Mistake 6")
+	assert_reads("wrong: (NaN, NaN)")
+	assert_reads("right: (0, 0)")
+
+
+func test_mistake_7_shows_a_short_vector_taken_for_zero() -> void:
+	await pick_mistake("Mistake 7")
+	assert_reads("wrong: (0, 0)")
+	assert_reads("right: (−0.8, 0.6)")
+
+
+func test_switching_a_mistake_off_shows_all_again() -> void:
+	await pick_mistake("Mistake 9")
+	await student.press(&"lab_undo")
+	assert_eq(seen(["%Opposite", "%Swapped"]), [true, false] as Array[bool])
+	assert_does_not_read("Caught by")
+
+
+func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:
+	await student.click(frame().lesson.services[&"question"])
+	var prompt := frame().lesson.services[&"question"].get_node("%Prompt") as Label
+	var v := RegEx.create_from_string("\\((.+), (.+)\\)").search(prompt.text)
+	var x := NumberText.parse(v.get_string(1))
+	var y := NumberText.parse(v.get_string(2))
+	await _answer(y, -x)
+	assert_reads("That is the opposite normal (y, −x): −90°.")
+	await _answer(-y, x)
+	assert_reads("Right:")
+	await click_button("Show on board")
+	assert_eq(numbers("line"), PackedFloat64Array([0, 0, x, y]))
+
+
+func _answer(x: float, y: float) -> void:
+	await student.enter(field("nx ="), str(x))
+	await student.enter(field("ny ="), str(y))

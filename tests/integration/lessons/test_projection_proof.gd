@@ -1,0 +1,222 @@
+extends ScreenTest
+## Drives the lesson that proves the projection: steps, turning, dragging, typing.
+
+## Frames after which something that runs by itself counts as stuck.
+const _PATIENCE := 3000
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"projection_proof"))
+
+
+func after_each() -> void:
+	Engine.time_scale = 1.0
+	await super()
+
+
+func test_it_starts_with_the_proof_complete() -> void:
+	_assert_vectors([7, 1], [8, -6])
+	assert_eq(_turned(), Vec2.new(5, 5).to_vector2())
+	assert_reads("a′.x = 5.000000000000001")
+	assert_reads("equal to the last bit")
+
+
+func test_stepping_back_to_the_first_step_turns_the_drawing_back() -> void:
+	await _go_to_first_step()
+	assert_eq(_turned(), Vector2(7, 1))
+	assert_reads("Wanted: p")
+	assert_does_not_read("equal to the last bit")
+
+
+func test_the_second_step_turns_the_drawing() -> void:
+	await _go_to_first_step()
+	Engine.time_scale = 5.0
+	await student.press(&"lab_step")
+	var shares: Array[float] = []
+	for wait: int in _PATIENCE:
+		shares.append(_share())
+		if _share() == 1.0:
+			break
+		await get_tree().process_frame
+	assert_gt(shares.size(), 2, "it takes more than a frame")
+	assert_eq(_turned(), Vector2(5, 5))
+
+
+func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
+	await _go_to_first_step()
+	var lines: PackedStringArray = [
+		"β = atan2((−6), 8) = −36.87°",
+		"a′ = (5, 5)     b′ = (10, 0)",
+		"signed length of p = a′.x = 5",
+		"a′.x = 7·cos β + 1·sin β",
+		"sin β = by / |b| = (−6) / 10 = −0.6",
+		"= (7·8 + 1·(−6)) / 10 = a · b̂",
+		"a′.x − a · b̂ = 0",
+	]
+	for line: String in lines:
+		assert_has(_lines(), line)
+		await student.press(&"lab_step")
+		await _finish_turning()
+
+
+func test_the_graph_turns_the_drawing_and_step_back_is_exact() -> void:
+	var plot := frame().lesson.get_node("%Plot") as Control
+	await student.click_at(plot.get_global_rect().get_center())
+	assert_between(_share(), 0.4, 0.6)
+	var before := _share()
+	await click_button("One frame on")
+	assert_gt(_share(), before)
+	await click_button("One frame back")
+	assert_almost_eq(_share(), before, 1e-12)
+
+
+func test_play_turns_from_the_start_and_stops_at_the_end() -> void:
+	await click_button("Play or pause")
+	assert_lt(_share(), 1.0)
+	Engine.time_scale = 20.0
+	for wait: int in _PATIENCE:
+		if _share() == 1.0:
+			break
+		await get_tree().process_frame
+	assert_eq(_turned(), Vector2(5, 5))
+	assert_false((frame().lesson.services[&"transport"] as Transport).is_playing)
+
+
+func test_heads_can_be_dragged_at_the_first_and_at_the_last_step() -> void:
+	await _drag(Vec2.new(7, 1), Vec2.new(3.2, 3.9))
+	_assert_vectors([3, 4], [8, -6])
+	await _go_to_first_step()
+	await _drag(Vec2.new(8, -6), Vec2.new(6.1, 7.8))
+	_assert_vectors([3, 4], [6, 8])
+
+
+func test_what_is_seen_turned_can_be_dragged_turned() -> void:
+	await _drag(Vec2.new(10, 0), Vec2.new(5.1, 1.2))
+	assert_vec2(_vector("b"), Vec2.new(4, -3), 1e-9)
+	await _drag(Vec2.new(5, 5), Vec2.new(10.1, 0.1))
+	assert_vec2(_vector("a"), Vec2.new(8, -6), 1e-9)
+
+
+func test_arrow_keys_nudge_the_head_that_has_the_focus() -> void:
+	Screen.named(screen(), "Head of b").grab_focus()
+	await student.press(&"ui_left")
+	_assert_vectors([7, 1], [7, -6])
+
+
+func test_clicks_set_a_and_b() -> void:
+	await student.click_at(_place(Vec2.new(-3, -4)))
+	await student.click_at(_place(Vec2.new(-4, -3)), MOUSE_BUTTON_RIGHT)
+	_assert_vectors([-3, -4], [-4, -3])
+
+
+func test_a_typed_number_moves_the_vector_and_undo_brings_it_back() -> void:
+	await student.enter(Screen.named(screen(), "x of b") as LineEdit, "-8")
+	_assert_vectors([7, 1], [-8, -6])
+	await click_button("Undo")
+	_assert_vectors([7, 1], [8, -6])
+
+
+func test_reset_brings_the_lecture_back_and_can_be_undone() -> void:
+	await click_button("Obtuse")
+	_assert_vectors([-5, 2], [8, -6])
+	await student.press(&"lab_reset")
+	_assert_vectors([7, 1], [8, -6])
+	await student.press(&"lab_undo")
+	_assert_vectors([-5, 2], [8, -6])
+
+
+func test_sides_that_differ_show_their_difference_in_units_in_the_last_place() -> void:
+	await click_button("One bit")
+	assert_reads("1 unit in the last place apart")
+	assert_has(_lines(), "a′.x − a · b̂ = 4.441e−16")
+
+
+func test_a_zero_b_is_explained_and_loses_nothing() -> void:
+	await click_button("Zero")
+	assert_reads("b is zero: no direction, no shadow")
+	await click_button("Lecture")
+	assert_reads("equal to the last bit")
+
+
+func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
+	var question := frame().lesson.services[&"question"] as FoldableContainer
+	question.folded = false
+	await student.settle()
+	var rng: RandomNumberGenerator = frame().lesson.get("_rng")
+	rng.seed = 191
+	for kind: int in TurningExercise.Kind.size():
+		await click_button("New numbers")
+	var field := Screen.named(question, "a′.x =") as LineEdit
+	await student.enter(field, "%s" % _vector_in_prompt(question, 0).length())
+	assert_reads("That is |a|")
+	await student.enter(
+		field,
+		"%s" % _vector_in_prompt(question, 0).scalar_projection(_vector_in_prompt(question, 1))
+	)
+	assert_reads("Right:")
+	await student.click(question.get_node("%Show") as Control)
+	assert_vec2(_vector("a"), _vector_in_prompt(question, 0), 0.0)
+
+
+func _go_to_first_step() -> void:
+	for step: int in ProjectionProofTexts.Step.size():
+		await student.press(&"lab_step_back")
+	await _finish_turning()
+
+
+func _finish_turning() -> void:
+	Engine.time_scale = 20.0
+	for wait: int in _PATIENCE:
+		if not frame().lesson.is_processing():
+			break
+		await get_tree().process_frame
+	Engine.time_scale = 1.0
+
+
+func _place(point: Vec2) -> Vector2:
+	var lesson := frame().lesson
+	return lesson.get_global_transform() * lesson.to_screen(point)
+
+
+func _drag(from: Vec2, to: Vec2) -> void:
+	await student.drag(_place(from), _place(to))
+
+
+func _vector(letter: String) -> Vec2:
+	var numbers: PackedFloat64Array = frame().lesson.state()[letter]
+	return Vec2.new(numbers[0], numbers[1])
+
+
+func _assert_vectors(a: PackedFloat64Array, b: PackedFloat64Array) -> void:
+	var got_a: PackedFloat64Array = frame().lesson.state()["a"]
+	var got_b: PackedFloat64Array = frame().lesson.state()["b"]
+	assert_eq(got_a, a, "a")
+	assert_eq(got_b, b, "b")
+
+
+func _lines() -> PackedStringArray:
+	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
+
+
+# Where the head of a is drawn now, rounded to what the eye sees.
+func _turned() -> Vector2:
+	var handle := frame().lesson.get_node("%HeadTurnedA") as Control
+	if not handle.visible:
+		handle = frame().lesson.get_node("%HeadA") as Control
+	var lesson := frame().lesson
+	var pixel := handle.position + handle.size / 2.0
+	return lesson.to_plane(pixel).to_vector2().snapped(Vector2(0.01, 0.01))
+
+
+# How far the graph says that the turn has got.
+func _share() -> float:
+	var model: ProjectionProofModel = frame().lesson.get("_model")
+	return model.turned_share
+
+
+# The first or second pair of numbers in the question.
+func _vector_in_prompt(question: FoldableContainer, index: int) -> Vec2:
+	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
+	var pair := RegEx.create_from_string("\\((-?\\d+), (-?\\d+)\\)").search_all(prompt)[index]
+	return Vec2.new(pair.get_string(1).to_float(), pair.get_string(2).to_float())

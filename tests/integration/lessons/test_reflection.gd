@@ -1,0 +1,254 @@
+extends ScreenTest
+## Drives the lesson on reflection: steps, dragging, typing, the bug gallery, the flight of the
+## ball.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"reflection"))
+
+
+func after_each() -> void:
+	Engine.time_scale = 1.0
+	await super()
+
+
+func test_it_starts_with_the_reflection_of_the_lecture() -> void:
+	_assert_numbers("velocity", [3, 4])
+	assert_has(_lines(), "v − (1 + C)(v · n) n = (3, −4)")
+	assert_reads("in 36.87°, out 36.87° to the normal")
+
+
+func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
+	var wanted: Array[String] = [
+		"v − (1 + C)(v · n) n = (3, −4)",
+		"v − 2 (v · n) n = (3, −4)",
+		"v − (v · n) n = (3, 4) − (0, 4) = (3, 0)",
+		"(v · n) n = (0, 4)",
+	]
+	for line: String in wanted:
+		assert_eq(_lines()[-1], line)
+		await student.press(&"lab_step_back")
+	assert_eq(_lines().size(), 2, "the first step subtracts nothing")
+
+
+func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
+	_fly_to(1.0)
+	assert_eq(_ball(), Vector2(3, -4))
+	await student.press(&"lab_step_back")
+	await student.press(&"lab_step_back")
+	assert_eq(_ball(), Vector2(3, 0))
+	await student.press(&"lab_step_back")
+	assert_eq(_ball(), Vector2(3, 4))
+
+
+func test_play_flies_the_ball_and_stops_at_the_end() -> void:
+	await click_button("Play or pause")
+	var transport := frame().lesson.services[&"transport"] as Transport
+	Engine.time_scale = 20.0
+	for wait: int in 3000:
+		if not transport.is_playing:
+			break
+		await get_tree().process_frame
+	assert_eq(_model().time, ReflectionModel.END)
+
+
+func test_a_step_back_takes_the_ball_back_to_where_it_was() -> void:
+	for step: int in 3:
+		await click_button("One frame on")
+	for step: int in 3:
+		await click_button("One frame back")
+	assert_almost_eq(_model().time, ReflectionModel.START, 1e-12)
+
+
+func test_a_drag_pauses_the_flight() -> void:
+	await click_button("Play or pause")
+	await _drag(Vec2.new(3, 4), Vec2.new(5, 4))
+	assert_false((frame().lesson.services[&"transport"] as Transport).is_playing)
+
+
+func test_the_velocity_can_be_dragged_at_either_end() -> void:
+	await _drag(Vec2.new(3, 4), Vec2.new(5.1, 2.2))
+	_assert_numbers("velocity", [5, 2])
+	await _drag(Vec2.new(-5, -2), Vec2.new(0.2, -4.8))
+	_assert_numbers("velocity", [0, 5])
+
+
+func test_the_line_can_be_turned_by_its_ends_and_by_its_normal() -> void:
+	await _drag(Vec2.new(-7, 0), Vec2.new(-6, -8))
+	_assert_numbers("along", [-6, -8])
+	await _drag(Vec2.new(0.8, -0.6), Vec2.new(0, -1))
+	assert_vec2(_model().unit_normal(), Vec2.new(0, -1), 1e-12)
+
+
+func test_dragging_the_head_of_v_out_sets_c() -> void:
+	await _drag(Vec2.new(3, -4), Vec2.new(3, -2))
+	_assert_number("bounciness", 0.5)
+	assert_reads("keeps 52 % of its energy")
+	await _drag(Vec2.new(3, -2), Vec2.new(3, 3))
+	_assert_number("bounciness", 0.0)
+
+
+func test_arrow_keys_nudge_the_bounciness() -> void:
+	Screen.named(screen(), "Head of v out: bounciness").grab_focus()
+	await student.press(&"ui_down")
+	_assert_number("bounciness", 0.75)
+
+
+func test_numbers_can_be_typed() -> void:
+	await _enter("bounciness C, 0 to 1", "0.25")
+	_assert_number("bounciness", 0.25)
+	await _enter("y of v", "8")
+	_assert_numbers("velocity", [3, 8])
+	await _enter("y of the line", "7")
+	_assert_numbers("along", [-7, 7])
+
+
+func test_a_bounciness_outside_0_to_1_is_refused_and_named() -> void:
+	for typed: String in ["1.5", "-0.5"]:
+		await _enter("bounciness C, 0 to 1", typed)
+		_assert_number("bounciness", 1.0)
+		var value := typed.replace("-", NumberText.MINUS)
+		assert_reads("C must be within 0..1, but is %s." % value)
+
+
+func test_a_line_without_direction_is_refused() -> void:
+	await _enter("x of the line", "0")
+	_assert_numbers("along", [-7, 0])
+	assert_reads("The line (0, 0) has no direction")
+
+
+func test_a_normal_that_is_not_unit_is_refused_with_its_length() -> void:
+	await click_button("Normal of length 1")
+	assert_reads("Vec2.reflect: the normal must have length 1, but has length 2.0.")
+	assert_eq(_lines()[-1], "|n| is not 1: refused. v stays (3, 4)")
+	await _enter("length of n", "0.5")
+	assert_reads("but has length 0.5.")
+	await click_button("Undo")
+	assert_reads("but has length 2.0.")
+	await click_button("Undo")
+	assert_does_not_read("Vec2.reflect")
+
+
+func test_godots_methods_stand_beside_with_their_errors() -> void:
+	var table := frame().lesson.get_node("%Table") as Control
+	for text: String in ["bounce(n)", "slide(n)", "−reflect(n, 1)", "(−3, 4)", "(3, 0)"]:
+		assert_true(Screen.reads(table, text), text)
+	await click_button("Angled")
+	assert_true(Screen.reads(table, "e−7"), "the 32 bits show in the errors")
+
+
+func test_each_mistake_shows_its_wrong_velocity_beside_the_right_one() -> void:
+	var wrongs: Array[Vector2] = [Vector2(3, -28), Vector2(-3, 4), Vector2(1.5, -4)]
+	for i: int in wrongs.size():
+		await _pick_mistake(i + 1)
+		_assert_number("mistake", 11 + i)
+		assert_eq(ReflectionMistakes.velocity_after(_model()).to_vector2(), wrongs[i])
+		assert_true((frame().lesson.get_node("%Wrong") as CanvasItem).visible)
+		assert_reads("Caught by test_bounce.test_mistake_%d" % (11 + i))
+
+
+func test_mistake_14_keeps_the_ball_at_the_line() -> void:
+	await _pick_mistake(4)
+	assert_false(_wrong_ball().visible, "up to the line both balls are one")
+	_fly_to(1.0)
+	await student.press(&"lab_step")
+	await click_button("One frame on")
+	assert_true(_wrong_ball().visible)
+	assert_reads("it sticks, jittering")
+
+
+func test_mistake_13_takes_a_bounciness_that_shows_it_and_undo_brings_both_back() -> void:
+	await _pick_mistake(3)
+	_assert_number("bounciness", 0.5)
+	await click_button("Undo")
+	_assert_number("bounciness", 1.0)
+	_assert_number("mistake", 0)
+	assert_false((frame().lesson.get_node("%Wrong") as CanvasItem).visible)
+
+
+func test_reset_brings_the_lecture_back() -> void:
+	await click_button("C = 0.5")
+	await _drag(Vec2.new(3, 4), Vec2.new(5, 2))
+	await student.press(&"lab_reset")
+	_assert_numbers("velocity", [3, 4])
+	_assert_number("bounciness", 1.0)
+
+
+func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
+	var question := frame().lesson.services[&"question"] as FoldableContainer
+	question.folded = false
+	await student.settle()
+	var prompt := (question.get_node("%Prompt") as Label).text.replace(NumberText.MINUS, "-")
+	var pairs := RegEx.create_from_string("\\((-?\\d+), (-?\\d+)\\)").search_all(prompt)
+	var velocity := Vec2.new(pairs[0].get_string(1).to_float(), pairs[0].get_string(2).to_float())
+	await _answer(question, velocity.negated())
+	assert_reads("turns the ball back on its way")
+	await student.click(question.get_node("%Show") as Control)
+	assert_vec2(_model().velocity, velocity, 0.0)
+	await _answer(question, _model().reflected())
+	assert_reads("Right:")
+
+
+func _answer(question: FoldableContainer, answer: Vec2) -> void:
+	await student.enter(Screen.named(question, "x =") as LineEdit, "%.3f" % answer.x)
+	await student.enter(Screen.named(question, "y =") as LineEdit, "%.3f" % answer.y)
+
+
+func _enter(title: String, text: String) -> void:
+	await student.enter(Screen.named(screen(), title) as LineEdit, text)
+
+
+func _pick_mistake(item: int) -> void:
+	var list := Screen.named(screen(), "Known mistakes") as OptionButton
+	await student.click(list)
+	for press: int in list.item_count:
+		await student.press_key(KEY_UP)
+	for press: int in item:
+		await student.press_key(KEY_DOWN)
+	await student.press_key(KEY_ENTER)
+
+
+func _drag(from: Vec2, to: Vec2) -> void:
+	var lesson := frame().lesson
+	var transform := lesson.get_global_transform()
+	await student.drag(transform * lesson.to_screen(from), transform * lesson.to_screen(to))
+
+
+func _model() -> ReflectionModel:
+	return frame().lesson.get("_model")
+
+
+func _fly_to(time: float) -> void:
+	_model().time = time
+
+
+# Where the ball is, less its radius along the normal, rounded to what the eye sees.
+func _ball() -> Vector2:
+	return (
+		_model()
+		. ball_centre(0.0, _model().velocity_after(_model().times_subtracted(_step())))
+		. to_vector2()
+	)
+
+
+func _step() -> ReflectionModel.Step:
+	return frame().lesson.get("_step")
+
+
+func _wrong_ball() -> CanvasItem:
+	return frame().lesson.get_node("%WrongBall") as CanvasItem
+
+
+func _lines() -> PackedStringArray:
+	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
+
+
+func _assert_numbers(key: String, wanted: PackedFloat64Array) -> void:
+	var got: PackedFloat64Array = frame().lesson.state()[key]
+	assert_eq(got, wanted, key)
+
+
+func _assert_number(key: String, wanted: float) -> void:
+	var got: float = frame().lesson.state()[key]
+	assert_eq(got, wanted, key)

@@ -1,0 +1,49 @@
+extends LabTest
+## `./lab` itself: what is asked for wrongly gets one line and exit code 2.
+
+
+func should_skip_script() -> bool:
+	return not LabCommand.is_possible()
+
+
+func test_without_a_command_it_lists_the_commands() -> void:
+	var lab := LabCommand.run("res://", [])
+	assert_eq(lab.exit_code, 0)
+	for command: String in ["run", "test", "lint", "bench", "pictures", "setup", "help"]:
+		assert_string_contains(lab.output, "\n  %s " % command)
+
+
+func test_help_is_the_same_list() -> void:
+	assert_eq(LabCommand.run("res://", ["help"]).output, LabCommand.run("res://", []).output)
+
+
+func test_an_unknown_command_is_refused_with_the_list() -> void:
+	var lab := LabCommand.run("res://", ["tset"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_starts_with(lab.output, "lab: there is no command 'tset'")
+	assert_string_contains(lab.output, "\n  test ")
+
+
+func test_an_unknown_lesson_is_refused_with_the_ids() -> void:
+	var lab := LabCommand.run("res://", ["run", "not_there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "'not_there'; there are: ")
+	assert_string_contains(lab.last_line(), ", ".join(LessonIndex.ids()))
+
+
+func test_an_unknown_benchmark_is_refused() -> void:
+	var lab := LabCommand.run("res://", ["bench", "not_there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "usage: ./lab bench NAME; there are: ")
+
+
+func test_a_godot_that_is_not_there_is_refused() -> void:
+	var lab := LabCommand.run("res://", ["setup"], ["GODOT=/not/there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "GODOT=/not/there is no program")
+
+
+func test_a_program_that_is_no_godot_is_refused() -> void:
+	var lab := LabCommand.run("res://", ["setup"], ["GODOT=echo"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "4.5 or newer is needed")

@@ -1,0 +1,83 @@
+extends LabTest
+## The palette reads on every ground and stays apart for colour-blind readers; the theme keeps to
+## it.
+
+const _READABLE := 4.5
+const _FAR_APART := 10.0
+const _GROUNDS: Dictionary[String, Color] = {
+	"paper": Palette.PAPER,
+	"panel": Palette.PANEL,
+	"field": Palette.FIELD,
+}
+const _ARROWS: Array[Palette.Role] = [
+	Palette.Role.A,
+	Palette.Role.B,
+	Palette.Role.UNIT,
+	Palette.Role.PROJECTION,
+	Palette.Role.REST,
+]
+
+
+func test_text_of_every_role_reads_on_paper_panel_and_field() -> void:
+	for role: Palette.Role in Palette.Role.values():
+		for ground: String in _GROUNDS:
+			var contrast := ColorVision.contrast(Palette.color(role), _GROUNDS[ground])
+			assert_gte(contrast, _READABLE, "%s on %s" % [_name(role), ground])
+
+
+func test_arrows_differ_for_every_kind_of_eyes() -> void:
+	for kind: ColorVision.Kind in ColorVision.Kind.values():
+		for i: int in _ARROWS.size():
+			for j: int in i:
+				var one := Palette.color(_ARROWS[i])
+				var difference := ColorVision.difference(one, Palette.color(_ARROWS[j]), kind)
+				var text := "%s and %s, eyes %d" % [_name(_ARROWS[i]), _name(_ARROWS[j]), kind]
+				assert_gte(difference, _FAR_APART, text)
+
+
+func test_the_ring_of_the_focus_is_seen_on_every_ground() -> void:
+	for ground: String in _GROUNDS:
+		assert_gte(ColorVision.contrast(Palette.FOCUS, _GROUNDS[ground]), 3.0, ground)
+
+
+func test_every_colour_of_the_theme_is_one_of_the_palette() -> void:
+	var allowed := _palette_colors()
+	var theme := FileAccess.get_file_as_string("res://assets/theme.tres")
+	var numbers := RegEx.create_from_string("Color\\(([^)]*)\\)").search_all(theme)
+	assert_gt(numbers.size(), 50, "colours were found")
+	for found: RegExMatch in numbers:
+		var parts := found.get_string(1).split_floats(", ")
+		var color := Color(parts[0], parts[1], parts[2])
+		assert_has(allowed, color.to_html(false), found.get_string())
+
+
+func test_white_on_black_has_the_greatest_contrast() -> void:
+	assert_almost_eq(ColorVision.contrast(Color.WHITE, Color.BLACK), 21.0, 1e-3)
+	assert_almost_eq(ColorVision.contrast(Color.RED, Color.RED), 1.0, 1e-6)
+
+
+# 100 is the L* of white; red and green of equal lightness nearly meet for deuteranopes.
+func test_the_simulation_brings_red_and_green_together() -> void:
+	var kind := ColorVision.Kind.DEUTERANOPIA
+	assert_almost_eq(ColorVision.difference(Color.WHITE, Color.BLACK, kind), 100.0, 0.1)
+	var red := Color("b35900")
+	var green := Color("707000")
+	assert_lt(
+		ColorVision.difference(red, green, kind),
+		ColorVision.difference(red, green, ColorVision.Kind.USUAL) / 3.0
+	)
+
+
+func _palette_colors() -> Array[String]:
+	var found: Array[String] = []
+	for role: Palette.Role in Palette.Role.values():
+		found.append(Palette.color(role).to_html(false))
+	for constant: Variant in (Palette as Script).get_script_constant_map().values():
+		if constant is Color:
+			var color: Color = constant
+			found.append(color.to_html(false))
+	return found
+
+
+func _name(role: Palette.Role) -> String:
+	return Palette.Role.keys()[role]

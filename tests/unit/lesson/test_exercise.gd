@@ -1,0 +1,72 @@
+extends LabTest
+## What an exercise says of an answer.
+
+
+func test_the_right_answer_is_right_and_repeated() -> void:
+	var verdict := _exercise().check([5.0])
+	assert_true(verdict.is_right)
+	assert_eq(verdict.sentence, "Right: 5.")
+
+
+func test_a_known_mistake_is_named() -> void:
+	var verdict := _exercise().check([50.0])
+	assert_false(verdict.is_right)
+	assert_eq(verdict.sentence, "Ten times too big.")
+
+
+func test_an_answer_that_nobody_foresaw_is_just_not_right() -> void:
+	var verdict := _exercise().check([-7.5])
+	assert_false(verdict.is_right)
+	assert_eq(verdict.sentence, "−7.5 is not it yet. Go through the steps once more.")
+
+
+func test_a_mistake_that_leads_to_the_right_answer_by_accident_is_not_named() -> void:
+	var verdict := _exercise().check([5.0])
+	assert_eq(verdict.sentence.find("By accident"), -1)
+
+
+func test_the_first_of_two_mistakes_with_the_same_answer_is_named() -> void:
+	var exercise := _exercise()
+	exercise.add_mistake([50.0], "Another.")
+	assert_eq(exercise.check([50.0]).sentence, "Ten times too big.")
+
+
+func test_answers_are_compared_to_two_decimals() -> void:
+	assert_true(_exercise().check([5.004]).is_right)
+	assert_false(_exercise().check([5.006]).is_right)
+	assert_false(_exercise().check([4.994]).is_right)
+
+
+func test_nan_is_never_right() -> void:
+	assert_false(_exercise().check([NAN]).is_right)
+
+
+func test_both_numbers_of_a_pair_have_to_be_right() -> void:
+	var exercise := Exercise.new()
+	exercise.right_answer = [4.0, -3.0]
+	assert_true(exercise.check([4.0, -3.0]).is_right)
+	assert_eq(exercise.check([4.0, -3.0]).sentence, "Right: (4, −3).")
+	assert_false(exercise.check([4.0, 3.0]).is_right)
+	assert_false(exercise.check([-4.0, -3.0]).is_right)
+
+
+func test_mistakes_are_told_apart_unless_two_answers_are_the_same() -> void:
+	var exercise := Exercise.new()
+	exercise.right_answer = [5.0]
+	exercise.add_mistake([50.0], "One.")
+	exercise.add_mistake([0.5], "Another.")
+	assert_true(exercise.tells_mistakes_apart())
+	exercise.add_mistake([50.001], "As the first.")
+	assert_false(exercise.tells_mistakes_apart())
+
+
+func test_a_mistake_with_the_right_answer_is_not_told_apart() -> void:
+	assert_false(_exercise().tells_mistakes_apart())
+
+
+func _exercise() -> Exercise:
+	var exercise := Exercise.new()
+	exercise.right_answer = [5.0]
+	exercise.add_mistake([5.0], "By accident.")
+	exercise.add_mistake([50.0], "Ten times too big.")
+	return exercise
