@@ -6,11 +6,10 @@ const CollectTexts := preload("res://tools/collect_texts.gd")
 const _LOCALE := "eo"
 const _OPEN := "‹"
 const _CLOSE := "›"
-## Words that are the same in every language: symbols of the formulas, code, and what is printed on
-## keys.
+## Words that are the same in every language, besides what is printed on keys: symbols of the
+## formulas, and code.
 const _SYMBOLS := "px py nx ny bx by ac cos sin atan POI old new now gap"
 const _CODE := "Vec Vector copy position value normal bounce reflect slide"
-const _KEYS := "Esc Ctrl Shift Tab Space"
 
 var _old_locale := ""
 var _language: Translation
@@ -132,8 +131,16 @@ func _untranslated_words(text: String) -> PackedStringArray:
 	while inner.search(text):
 		text = inner.sub(text, "", true)
 	var found: PackedStringArray = []
-	var known := " ".join([_SYMBOLS, _CODE, _KEYS]).split(" ")
+	var known := (_SYMBOLS + " " + _CODE).split(" ") + _words_on_keys()
 	for word: RegExMatch in RegEx.create_from_string("\\p{L}{2,}").search_all(text):
 		if not word.get_string() in known:
 			found.append(word.get_string())
+	return found
+
+
+func _words_on_keys() -> PackedStringArray:
+	var found: PackedStringArray = ["Esc"]
+	for action: StringName in InputHelp.PURPOSES:
+		for event: InputEvent in InputMap.action_get_events(action):
+			found.append_array(event.as_text().replace("+", " ").split(" "))
 	return found
