@@ -20,7 +20,7 @@ var world := SteppedWorld.new()
 
 ## A question with numbers drawn from [param rng].
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SteppingExercise:
-	var exercise := SteppingExercise.new()
+	var exercise := new()
 	match kind:
 		Kind.EARLIEST:
 			exercise._ask_earliest(rng)
