@@ -12,6 +12,7 @@ const FOLDERS: PackedStringArray = [
 	"l06_line_distance",
 	"l07_point_of_impact",
 	"l08_reflection",
+	"l09_angled_lines",
 	"l10_line_ends",
 	"l11_more_dimensions",
 ]

@@ -13,6 +13,26 @@ const PURPOSES: Dictionary[StringName, String] = {
 	&"lab_step_back": "step back",
 	&"lab_pause": "play or pause",
 	&"lab_slow": "slow",
+	&"lab_gravity_left": "gravity",
+	&"lab_gravity_up": "gravity",
+	&"lab_gravity_right": "gravity",
+	&"lab_gravity_down": "gravity",
+	&"lab_gravity_none": "no gravity",
+	&"lab_next_bounciness": "bounciness",
+	&"lab_toggle_trails": "trails",
+	&"lab_clear_trails": "clear trails",
+	&"lab_fetch_balls": "fetch lost balls",
+	&"lab_delete_line": "delete the line",
+	&"lab_preset_0": "scene",
+	&"lab_preset_1": "scene",
+	&"lab_preset_2": "scene",
+	&"lab_preset_3": "scene",
+	&"lab_preset_4": "scene",
+	&"lab_preset_5": "scene",
+	&"lab_preset_6": "scene",
+	&"lab_preset_7": "scene",
+	&"lab_preset_8": "scene",
+	&"lab_preset_9": "scene",
 	&"ui_focus_next": "next part",
 	&"ui_accept": "press",
 }
@@ -20,16 +40,30 @@ const PURPOSES: Dictionary[StringName, String] = {
 # A space at which a line does not break.
 const _NO_BREAK := "\u00a0"
 
+# Arrow keys by their signs: shorter than their names, and the same in every language.
+const _SIGNS: Dictionary[Key, String] = {
+	KEY_LEFT: "\u2190", KEY_UP: "\u2191", KEY_RIGHT: "\u2192", KEY_DOWN: "\u2193"
+}
 
-## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad.
+
+## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad. Actions that
+## follow each other with the same purpose stand together: `0…9 scene`.
 static func line(actions: Array[StringName], for_joypad: bool) -> String:
-	var parts: PackedStringArray = []
+	var keys: Dictionary[String, PackedStringArray] = {}
 	for action in actions:
 		var key := _first_key(action, for_joypad)
 		if key:
-			var part := "%s %s" % [key, TranslationServer.translate(PURPOSES[action])]
-			parts.append(part.replace(" ", _NO_BREAK))
+			var purpose := PURPOSES[action]
+			keys[purpose] = keys.get(purpose, PackedStringArray()) + PackedStringArray([key])
+	var parts: PackedStringArray = []
+	for purpose in keys:
+		var part := "%s %s" % [_together(keys[purpose]), TranslationServer.translate(purpose)]
+		parts.append(part.replace(" ", _NO_BREAK))
 	return "     ".join(parts)
+
+
+static func _together(keys: PackedStringArray) -> String:
+	return "".join(keys) if keys.size() <= 4 else "%s…%s" % [keys[0], keys[-1]]
 
 
 static func _first_key(action: StringName, for_joypad: bool) -> String:
@@ -45,6 +79,8 @@ static func _key_name(event: InputEventKey) -> String:
 	var code := event.get_physical_keycode_with_modifiers()
 	if not event.physical_keycode:
 		code = event.get_keycode_with_modifiers()
+	if _SIGNS.has(code):
+		return _SIGNS[code]
 	return OS.get_keycode_string(code).replace("Escape", "Esc")
 
 

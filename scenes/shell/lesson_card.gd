@@ -2,11 +2,13 @@ class_name LessonCard
 extends Button
 ## A lesson on the start screen: picture, number, title and one line.
 
+const _LOWEST := 330.0
+
 @onready var _margin: MarginContainer = $Margin
 
 
 func _ready() -> void:
-	_margin.minimum_size_changed.connect(_grow)
+	_margin.minimum_size_changed.connect(_fit, CONNECT_DEFERRED)
 
 
 ## Shows what the index knows of [param lesson].
@@ -18,6 +20,5 @@ func show_lesson(lesson: LessonInfo) -> void:
 
 
 # A button does not grow by itself with what lies in it.
-func _grow() -> void:
-	var needed := _margin.get_combined_minimum_size().y
-	custom_minimum_size.y = maxf(custom_minimum_size.y, needed)
+func _fit() -> void:
+	custom_minimum_size.y = maxf(_LOWEST, _margin.get_combined_minimum_size().y)

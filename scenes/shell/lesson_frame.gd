@@ -74,6 +74,7 @@ func _open() -> void:
 	lesson = (load(lesson_info.scene_path()) as PackedScene).instantiate() as Lesson
 	for need in lesson_info.needs:
 		lesson.services[StringName(need)] = _add_service(need)
+	_announce(lesson)
 	lesson.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_board_place.add_child(lesson)
 	lesson.edited.connect(_store)
@@ -85,13 +86,18 @@ func _open() -> void:
 
 func _add_service(need: String) -> Control:
 	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
-	var script: Script = service.get_script()
-	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
-	_help_actions.append_array(actions)
+	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
 	return service
+
+
+# A service or lesson with keys of its own lists their actions in a constant ACTIONS.
+func _announce(answering: Control) -> void:
+	var script: Script = answering.get_script()
+	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
+	_help_actions.append_array(actions)
 
 
 # What has been unfolded, or has grown by a verdict, is scrolled into view.
@@ -117,7 +123,7 @@ func _show_state(stored: Dictionary) -> void:
 
 
 func _reset() -> void:
-	lesson.show_state(_first_state)
+	lesson.show_state(lesson.reset_state(_first_state))
 	_store()
 
 

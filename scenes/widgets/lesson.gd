@@ -27,3 +27,9 @@ var services: Dictionary[StringName, Control] = {}
 
 ## Puts back what [method state] has told. Shows it at once; emits nothing.
 @abstract func show_state(stored: Dictionary) -> void
+
+
+## The state to which reset goes back: [param first], the one at the start, unless a lesson has a
+## nearer one, such as the start of the situation that was picked.
+func reset_state(first: Dictionary) -> Dictionary:
+	return first

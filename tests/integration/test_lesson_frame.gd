@@ -4,6 +4,7 @@ extends ScreenTest
 
 const _CLOCK := preload("res://tests/support/lessons/clock.tres")
 const _STILL := preload("res://tests/support/lessons/still.tres")
+const _ROUND_TRIPS := 10
 
 
 func test_a_lesson_without_needs_has_an_empty_panel() -> void:
@@ -33,14 +34,17 @@ func test_the_back_button_leads_to_the_start_screen() -> void:
 	assert_eq(screen().scene_file_path, START_SCREEN)
 
 
-func test_going_back_and_forth_leaves_no_node_and_no_resource_behind() -> void:
+func test_going_back_and_forth_leaves_nothing_behind() -> void:
 	await _go_back_and_forth()
 	var nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
 	var resources := Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT)
-	for round_trip: int in 3:
+	var objects := Performance.get_monitor(Performance.OBJECT_COUNT)
+	for round_trip: int in _ROUND_TRIPS:
 		await _go_back_and_forth()
 	assert_eq(Performance.get_monitor(Performance.OBJECT_NODE_COUNT), nodes)
 	assert_eq(Performance.get_monitor(Performance.OBJECT_RESOURCE_COUNT), resources)
+	var growth := Performance.get_monitor(Performance.OBJECT_COUNT) - objects
+	assert_lt(growth, _ROUND_TRIPS / 2.0, "the test runner's own objects come and go")
 	assert_eq(Node.get_orphan_node_ids(), [] as Array[int])
 
 

@@ -179,7 +179,7 @@ func _run_once(instance: GutTest, test_name: String, id: String) -> void:
 	if not unexpected.is_empty():
 		add_fail("Unexpected Errors:\n" + "\n".join(unexpected))
 	error_tracker.end_test()
-	instance.forget_signals()
+	instance.clear_signal_watcher()
 	@warning_ignore("redundant_await")
 	await instance.after_each()
 	await _free_what_the_test_made()

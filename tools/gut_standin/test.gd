@@ -2,7 +2,7 @@ class_name GutTest
 extends "error_asserts.gd"
 ## The base of all tests, with the part of GUT's GutTest that Vec2 Lab's tests use.
 
-const ParameterHandler := preload("parameter_handler.gd")
+const GutParameterHandler := preload("parameter_handler.gd")
 
 
 func should_skip_script() -> Variant:
@@ -28,7 +28,7 @@ func after_all() -> void:
 ## As the default of a test's parameter: runs the test once for each of the values.
 func use_parameters(values: Array) -> Variant:
 	if gut.parameter_handler == null:
-		gut.parameter_handler = ParameterHandler.new(values)
+		gut.parameter_handler = GutParameterHandler.new(values)
 	return gut.parameter_handler.next_value()
 
 
@@ -45,28 +45,28 @@ func autoqfree(thing: Variant) -> Variant:
 
 
 func add_child_autofree(thing: Variant, legible_name: Variant = false) -> Variant:
-	_add(thing, legible_name)
+	_gut_add(thing, legible_name)
 	return autofree(thing)
 
 
 func add_child_autoqfree(thing: Variant, legible_name: Variant = false) -> Variant:
-	_add(thing, legible_name)
+	_gut_add(thing, legible_name)
 	return autoqfree(thing)
 
 
 func wait_seconds(seconds: Variant, _text: Variant = "") -> void:
-	var time: float = seconds
-	await get_tree().create_timer(time).timeout
+	await wait_until(func() -> bool: return false, seconds)
+
+
+## Returns when that many frames have been drawn in full.
+func wait_process_frames(count: Variant, _text: Variant = "") -> void:
+	for frame: int in count + 1:
+		await get_tree().process_frame
 
 
 func wait_physics_frames(count: Variant, _text: Variant = "") -> void:
-	for frame: int in count:
+	for frame: int in count + 1:
 		await get_tree().physics_frame
-
-
-func wait_process_frames(count: Variant, _text: Variant = "") -> void:
-	for frame: int in count:
-		await get_tree().process_frame
 
 
 func wait_idle_frames(count: Variant, text: Variant = "") -> void:
@@ -81,19 +81,19 @@ func wait_for_signal(awaited: Signal, most_seconds: Variant, text: Variant = "")
 	return await wait_until(has_come, most_seconds, text)
 
 
-## True when the condition came true in time.
+## True when the condition came true in time. Time is that of the physics frames, as in GUT.
 func wait_until(condition: Variant, most_seconds: Variant, _text: Variant = "") -> bool:
 	var is_true: Callable = condition
 	var seconds: float = most_seconds
-	var end := Time.get_ticks_msec() + seconds * 1000.0
 	while not is_true.call():
-		if Time.get_ticks_msec() > end:
+		if seconds <= 0.0:
 			return false
-		await get_tree().process_frame
+		await get_tree().physics_frame
+		seconds -= get_physics_process_delta_time()
 	return true
 
 
-func _add(thing: Variant, legible_name: Variant) -> void:
+func _gut_add(thing: Variant, legible_name: Variant) -> void:
 	var node: Node = thing
 	var legible: bool = legible_name
 	add_child(node, legible)

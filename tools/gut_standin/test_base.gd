@@ -1,8 +1,9 @@
 extends Node
-## What every kind of assert stands on.
+## What every kind of assert stands on. Names that are not for tests begin with `_gut_`, so that a
+## test may use every other.
 
-const WHOLE_AND_REAL: PackedInt32Array = [TYPE_INT, TYPE_FLOAT]
-const TEXTS: PackedInt32Array = [TYPE_STRING, TYPE_STRING_NAME]
+const GUT_NUMBERS: PackedInt32Array = [TYPE_INT, TYPE_FLOAT]
+const GUT_TEXTS: PackedInt32Array = [TYPE_STRING, TYPE_STRING_NAME]
 
 ## The runner.
 var gut: GutMain
@@ -23,7 +24,7 @@ func pending(text: Variant = "") -> void:
 	gut.add_pending(str(text))
 
 
-func _check(ok: Variant, text: String) -> void:
+func _gut_check(ok: Variant, text: String) -> void:
 	if is_same(ok, true):
 		pass_test(text)
 	else:
@@ -31,21 +32,21 @@ func _check(ok: Variant, text: String) -> void:
 
 
 ## False, and a failed assert, when two values of different types are compared.
-func _have_comparable_types(got: Variant, want: Variant, text: Variant) -> bool:
+func _gut_have_comparable_types(got: Variant, want: Variant, text: Variant) -> bool:
 	var got_type := typeof(got)
 	var want_type := typeof(want)
 	if got_type == want_type or got == null or want == null:
 		return true
-	if got_type in WHOLE_AND_REAL and want_type in WHOLE_AND_REAL:
-		gut.logger.warn("Float/Int comparison: %s, %s" % [_text_of(got), _text_of(want)])
+	if got_type in GUT_NUMBERS and want_type in GUT_NUMBERS:
+		gut.logger.warn("Float/Int comparison: %s, %s" % [_gut_text_of(got), _gut_text_of(want)])
 		return true
-	if got_type in TEXTS and want_type in TEXTS:
+	if got_type in GUT_TEXTS and want_type in GUT_TEXTS:
 		return true
-	fail_test("Cannot compare %s to %s.  %s" % [_text_of(got), _text_of(want), text])
+	fail_test("Cannot compare %s to %s.  %s" % [_gut_text_of(got), _gut_text_of(want), text])
 	return false
 
 
-func _text_of(value: Variant) -> String:
+func _gut_text_of(value: Variant) -> String:
 	if value is String or value is StringName:
 		return '"%s"' % value
 	return var_to_str(value) if value is float else "%s" % [value]

@@ -43,7 +43,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> BounceExercise:
 	var across := rng.randi_range(1, 9)
 	var velocity := Vec2.new(across, (across + rng.randi_range(1, 8) - 1) % 9 + 1)
 	var slope := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
-	return BounceExercise.new(kind, floor_y, radius, velocity, slope)
+	return new(kind, floor_y, radius, velocity, slope)
 
 
 ## Puts what is asked about on the board of [param model].

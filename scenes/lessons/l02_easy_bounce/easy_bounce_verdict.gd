@@ -22,7 +22,7 @@ func _keep_from_line(model: EasyBounceModel) -> void:
 		corner = Control.PRESET_TOP_RIGHT
 	elif not model.is_wall and model.tilt_degrees > 0.0:
 		corner = Control.PRESET_BOTTOM_LEFT
-	set_anchors_and_offsets_preset(corner, Control.PRESET_MODE_MINSIZE, 12)
+	stand_in(corner)
 
 
 func _words_for(model: EasyBounceModel, moved: Ball, step: int) -> PackedStringArray:

@@ -47,7 +47,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> NormalExercise:
 		size = Vector2i(x, (x + rng.randi_range(1, 8) - 1) % 9 + 1)
 	var length := _LENGTHS[rng.randi_range(0, _LENGTHS.size() - 1)]
 	var vector := Vec2.new(size.x * _random_sign(rng), size.y * _random_sign(rng))
-	return NormalExercise.new(kind, vector, length)
+	return new(kind, vector, length)
 
 
 static func _random_sign(rng: RandomNumberGenerator) -> int:

@@ -8,7 +8,7 @@ const _PRESETS: Dictionary[String, Array] = {
 	"(3, 1)": [0.0, 0.0, 3.0, 1.0, 2.0],
 	"(3, −2)": [0.0, 0.0, 3.0, -2.0, 2.0],
 	"(3, −4)": [0.0, 0.0, 3.0, -4.0, 2.0],
-	"In pixels": [-150.0, 50.0, 240.0, -70.0, 60.0],
+	"In pixels": [-40.0, 60.0, 240.0, -70.0, 60.0],
 	"Zero": [0.0, 0.0, 0.0, 0.0, 2.0],
 }
 
@@ -192,6 +192,7 @@ func _show_all() -> void:
 	_mistakes.show_mistake(_model.mistake)
 	_steps.show_sentences(NormalsTexts.sentences(_model), _step)
 	_show_model()
+	_verdict.stand_behind(_model)
 
 
 func _show_model() -> void:

@@ -16,6 +16,16 @@ func show_model(model: NormalsModel, before: NormalsModel) -> void:
 		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
 
 
+## Stands where no arrow of [param model] points: v and both normals leave the corner behind v.
+func stand_behind(model: NormalsModel) -> void:
+	var v := model.v()
+	var points_down := (v.y < 0.0) == model.is_y_up
+	if v.x >= 0.0:
+		stand_in(PRESET_TOP_LEFT if points_down else PRESET_BOTTOM_LEFT)
+	else:
+		stand_in(PRESET_TOP_RIGHT if points_down else PRESET_BOTTOM_RIGHT)
+
+
 func _turn_words(model: NormalsModel) -> String:
 	return tr("+90° turns %s") % NormalsTexts.clockwise_text(model)
 

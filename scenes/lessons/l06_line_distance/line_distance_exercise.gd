@@ -36,7 +36,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> LineDistanceExercis
 	var centre := from.plus(Vec2.new(rng.randi_range(-9, 9), rng.randi_range(-9, 9)))
 	if along.cross(centre.minus(from)) == 0.0:
 		centre.add(Vec2.new(1.0, 0.0))
-	return LineDistanceExercise.new(kind, asked, Ball.new(centre, rng.randi_range(1, 4)))
+	return new(kind, asked, Ball.new(centre, rng.randi_range(1, 4)))
 
 
 static func _random_sign(rng: RandomNumberGenerator) -> int:

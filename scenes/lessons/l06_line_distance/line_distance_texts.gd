@@ -70,14 +70,14 @@ static func _beside_end(model: LineDistanceModel) -> String:
 static func _lines() -> Array[PackedStringArray]:
 	return [
 		[
-			"{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )",
-			"{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}",
+			_translate("{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )"),
+			_translate("{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}"),
 			"{d} = {c} − {p} = {d_pair}"
 		],
 		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
 		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
 		["gap = {d} · {n} − r = {gap}"],
-		["to the segment: |{c} − {nearest}| = {segment}"],
+		[_translate("to the segment: |{c} − {nearest}| = {segment}")],
 	]
 
 

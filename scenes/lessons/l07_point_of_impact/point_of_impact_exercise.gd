@@ -50,7 +50,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExerci
 	var tenths := _TENTHS[rng.randi_range(0, _TENTHS.size() - 1)]
 	var old_distance := its_radius + way * tenths / 10.0
 	var sideways := 10.0 * rng.randi_range(-4, 4)
-	return PointOfImpactExercise.new(kind, old_distance, old_distance - way, its_radius, sideways)
+	return new(kind, old_distance, old_distance - way, its_radius, sideways)
 
 
 func _ask_share() -> void:

@@ -19,7 +19,7 @@ static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 static func lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 	var found: PackedStringArray = [
 		"old ( {old_x} , {old_y} )     new ( {new_x} , {new_y} )",
-		"l: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}",
+		_translate("l: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}"),
 	]
 	if model.mistake != 0:
 		# What a mistake computes stands beside t, where else motion, reset and POI would be.

@@ -53,7 +53,7 @@ func refusal() -> String:
 	var size := used_normal().length()
 	if absf(size - 1.0) <= NORMAL_TOLERANCE:
 		return ""
-	return "Vec2.reflect: the normal must have length 1, but has length %s." % size
+	return tr("Vec2.reflect: the normal must have length 1, but has length %s.") % size
 
 
 ## (v . n) n with the unit normal: the part of the velocity along the normal.

@@ -49,7 +49,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	# A motion that does not come closer to the end is drawn again, as this one would not touch it.
 	while by.dot(touch) >= 0.0:
 		by = Vec2.new(4 * rng.randi_range(-3, 3), 4 * rng.randi_range(-3, 3))
-	return CapExercise.new(kind, touch.minus(by.scaled(time)), by, touch.length())
+	return new(kind, touch.minus(by.scaled(time)), by, touch.length())
 
 
 ## Lays the numbers of the question into [param model], with the line behind its end.

@@ -29,7 +29,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
 	var other := _random_list(dimension, rng)
 	if kind == Kind.MISSING:
 		one[dimension - 1] = 1.0 if one[dimension - 1] > 0.0 else -1.0
-	return ComponentExercise.new(kind, one, other)
+	return new(kind, one, other)
 
 
 ## Lays the vectors of the question into [param model].

@@ -16,11 +16,13 @@ signal released
 
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
+## Nor does [method fit] make it wider than this, in pixels, unless a lesson says so.
+const WIDEST_STEP := 40.0
 ## Grid steps are these times a power of ten.
 const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 
-## Nor does [method fit] make it wider than this; more where a lesson draws short vectors.
-@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := 40.0
+## The widest step of the grid; more where a lesson draws short vectors.
+@export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
 ## Pixels that [method fit] leaves free along every edge; less on a small board.
 @export_range(8.0, 100.0, 1.0, "suffix:px") var margin := 56.0
 
@@ -112,7 +114,7 @@ func fit(points: Array[Vec2]) -> void:
 	view_changed.emit()
 
 
-## The handles that can be seen on this board, in the order in which the Tab key reaches them.
+## The handles that can be seen on this board, in the order of the tree.
 func handles() -> Array[Handle]:
 	var found: Array[Handle] = []
 	for node: Node in get_tree().get_nodes_in_group(Handle.GROUP):
@@ -122,10 +124,15 @@ func handles() -> Array[Handle]:
 	return found
 
 
+## Of these the ones that take the focus, in the order in which the Tab key reaches them.
+func focusable_handles() -> Array[Handle]:
+	return handles().filter(func(handle: Handle) -> bool: return handle.focus_mode != FOCUS_NONE)
+
+
 # A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to
 # the last.
 func _pass_focus_on() -> void:
-	var all := handles()
+	var all := focusable_handles()
 	if all.is_empty() or Input.get_mouse_button_mask() != 0:
 		return
 	all[-1 if Input.is_action_pressed(&"ui_focus_prev") else 0].grab_focus()

@@ -52,6 +52,11 @@ func lay(tail: Vec2, head: Vec2) -> void:
 	_head.place(head)
 
 
+## Shows the label beside the head or leaves it to the names of the handles.
+func show_label(on: bool) -> void:
+	_arrow.label = label if on else ""
+
+
 ## Lights the arrow up, as when its symbol in a formula is pointed at.
 func light(on: bool) -> void:
 	_arrow.lit = on

@@ -36,6 +36,8 @@ const _NUDGES: Dictionary[StringName, Vector2] = {
 @export_range(3.0, 20.0, 0.5, "suffix:px") var dot_radius := 8.0
 
 var _board: Board
+# The lesson's own board, on which others may lie.
+var _outermost_board: Board
 var _point := Vec2.new()
 var _is_dragged := false
 var _is_hovered := false
@@ -49,9 +51,12 @@ func _ready() -> void:
 	# Other buttons than the left one are for the board.
 	mouse_filter = Control.MOUSE_FILTER_PASS
 	mouse_default_cursor_shape = Control.CURSOR_MOVE
-	_board = _board_above()
+	_board = _board_above(self)
 	_board.view_changed.connect(_follow_view)
-	_board.focus_mode = Control.FOCUS_ALL
+	_outermost_board = _board
+	while _board_above(_outermost_board):
+		_outermost_board = _board_above(_outermost_board)
+	_outermost_board.focus_mode = Control.FOCUS_ALL
 	add_to_group(GROUP)
 	focus_entered.connect(_tie_focus)
 	focus_entered.connect(queue_redraw)
@@ -66,9 +71,9 @@ func place(point: Vec2) -> void:
 	_follow_view()
 
 
-## Whether this is the board that the handle lies on.
+## Whether the handle lies on this board, or on one that lies on the outermost board [param board].
 func is_on(board: Board) -> bool:
-	return board == _board
+	return board == _board or board == _outermost_board
 
 
 ## Whether the handle takes what is at [param pixel] of the whole screen.
@@ -137,13 +142,22 @@ func _hover(is_hovered: bool) -> void:
 
 # The engine's own order of the Tab key loses its way below Node2D parts.
 func _tie_focus() -> void:
-	var all := _board.handles()
+	var all := _outermost_board.focusable_handles()
 	var here := all.find(self)
 	var is_last := here == all.size() - 1
-	var next: Control = _board.find_next_valid_focus() if is_last else all[here + 1]
-	var previous: Control = _board.find_prev_valid_focus() if here == 0 else all[here - 1]
+	var next: Control = _after_board() if is_last else all[here + 1]
+	var previous: Control = all[here - 1] if here > 0 else _outermost_board.find_prev_valid_focus()
 	focus_next = get_path_to(next)
 	focus_previous = get_path_to(previous)
+
+
+# The handles themselves come first in the engine's order, unless a Node2D lies between.
+func _after_board() -> Control:
+	var next := _outermost_board.find_next_valid_focus()
+	while next is Handle and (next as Handle).is_on(_outermost_board):
+		next.focus_next = NodePath()
+		next = next.find_next_valid_focus()
+	return next
 
 
 func _follow_view() -> void:
@@ -151,8 +165,9 @@ func _follow_view() -> void:
 	queue_redraw()
 
 
-func _board_above() -> Board:
-	var above := get_parent()
-	while not above is Board:
+# The nearest board above a node; null where there is none.
+static func _board_above(node: Node) -> Board:
+	var above := node.get_parent()
+	while above and not above is Board:
 		above = above.get_parent()
 	return above as Board

@@ -34,10 +34,16 @@ func keep_off(pixels: PackedVector2Array, around: float) -> void:
 	_settle()
 
 
+## Stands in this corner of the board from now on.
+func stand_in(corner: LayoutPreset) -> void:
+	_corner = corner
+	_settle()
+
+
 # Makes the card as small as its words allow and puts it into its corner.
 func _settle() -> void:
-	var is_right := _corner == PRESET_TOP_RIGHT
+	var is_right := _corner in [PRESET_TOP_RIGHT, PRESET_BOTTOM_RIGHT]
 	grow_horizontal = GROW_DIRECTION_BEGIN if is_right else GROW_DIRECTION_END
-	var is_low := _corner == PRESET_BOTTOM_LEFT
+	var is_low := _corner in [PRESET_BOTTOM_LEFT, PRESET_BOTTOM_RIGHT]
 	grow_vertical = GROW_DIRECTION_BEGIN if is_low else GROW_DIRECTION_END
 	set_anchors_and_offsets_preset(_corner, PRESET_MODE_MINSIZE, _MARGIN)

@@ -4,10 +4,13 @@ extends VBoxContainer
 
 ## A switch was thrown by the student.
 signal switched(key: String, on: bool)
+## One of several ways was chosen by the student, by its place in the list.
+signal chosen(key: String, place: int)
 ## The student picked the situation with this key.
 signal preset_picked(key: String)
 
 var _buttons: Dictionary[String, CheckButton] = {}
+var _lists: Dictionary[String, OptionButton] = {}
 
 @onready var _switches: HFlowContainer = %Switches
 @onready var _presets: HFlowContainer = %Presets
@@ -27,6 +30,26 @@ func add_switch(key: String, text: String) -> void:
 ## Shows a switch on or off; emits nothing.
 func show_switch(key: String, on: bool) -> void:
 	_buttons[key].set_pressed_no_signal(on)
+
+
+## Adds a list of which one is chosen; [param title] and [param texts] are translated.
+func add_choice(key: String, title: String, texts: PackedStringArray) -> void:
+	var list := OptionButton.new()
+	list.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	list.accessibility_name = title
+	list.tooltip_text = title
+	list.custom_minimum_size.y = 44.0
+	list.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	for text in texts:
+		list.add_item(text)
+	list.item_selected.connect(func(place: int) -> void: chosen.emit(key, place))
+	_lists[key] = list
+	_switches.add_child(list)
+
+
+## Shows which one is chosen; emits nothing.
+func show_choice(key: String, place: int) -> void:
+	_lists[key].select(place)
 
 
 ## Adds a button that sets up a ready-made situation; the text is translated.

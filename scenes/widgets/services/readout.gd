@@ -10,6 +10,12 @@ func _ready() -> void:
 	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
 
 
+## Names the columns otherwise, for a lesson that compares something of its own; translated.
+func show_headings(texts: PackedStringArray) -> void:
+	for column in columns:
+		(get_child(column) as Label).text = texts[column]
+
+
 ## Shows one result; a new [param key] adds a row below. Error in the unit of the value; time per
 ## call in nanoseconds.
 func show_result(

@@ -66,7 +66,7 @@ func test_dragging_the_line_moves_it_without_tilting() -> void:
 
 
 func test_the_keys_at_an_end_tilt_by_a_degree() -> void:
-	Screen.named(screen(), "End of line ").grab_focus()
+	Screen.named(screen(), "End of line").grab_focus()
 	await student.press(&"ui_down")
 	assert_eq(_tilt(), -1.0)
 	for i: int in 3:

@@ -1,0 +1,29 @@
+class_name AngledLinesEntry
+extends RefCounted
+## Takes numbers that were typed over in the formula lines of the lesson on angled lines.
+
+
+## Changes [param model] by the number's name in [AngledLinesTexts]. "" or one sentence with the
+## value and what is allowed; then nothing has changed.
+static func enter(model: AngledLinesModel, name_in_line: String, value: float) -> String:
+	var gravity := model.world.surroundings.gravity.copy()
+	var position := model.ball().position.copy()
+	var velocity := model.ball().velocity.copy()
+	match name_in_line:
+		"C":
+			return model.set_bounciness(value)
+		"gx":
+			gravity.x = value
+		"gy":
+			gravity.y = value
+		"px":
+			position.x = value
+		"py":
+			position.y = value
+		"vx":
+			velocity.x = value
+		"vy":
+			velocity.y = value
+	if name_in_line.begins_with("g"):
+		return model.set_gravity(gravity)
+	return model.change_ball(position, velocity)

@@ -1,0 +1,106 @@
+class_name AngledLinesMistakes
+extends RefCounted
+## The known mistakes of stepping balls among lines, each as a way of moving that makes it.
+
+
+## Mistake 14: whatever overlaps is reflected, even if it moves away already; nothing is put back.
+class AlwaysReflectMover:
+	extends BallMover
+
+	func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
+		fly(ball, seconds, surroundings.gravity)
+		for segment in surroundings.segments:
+			var overlap := SegmentOverlap.with_segment(ball.position, ball.radius, segment)
+			if overlap.hit:
+				ball.velocity.reflect(overlap.normal, surroundings.bounciness)
+		return []
+
+
+## Mistake 21: goes through all lines and keeps the last impact instead of the earliest.
+class LastHitMover:
+	extends WholeFrameMover
+
+	func find_impact(
+		ball: Ball, motion: Vec2, surroundings: Surroundings, _skipped: PackedInt32Array
+	) -> Impact:
+		var found := Impact.miss(Impact.Outcome.TOO_FAR)
+		for segment in surroundings.segments:
+			var impact := SegmentImpact.with_segment(ball.position, motion, ball.radius, segment)
+			if impact.hit:
+				found = impact
+		return found
+
+
+## Mistake 26: at the bounce the ball has got the gravity of the whole frame already.
+class FullGravityMover:
+	extends WholeFrameMover
+
+	func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
+		var bounces: Array[BounceRecord] = []
+		var gravity := surroundings.gravity
+		var motion := FreeFlight.motion(ball.velocity, gravity, seconds)
+		var impact := surroundings.first_impact(ball, motion)
+		if not impact.hit:
+			fly(ball, seconds, gravity)
+			return bounces
+		ball.position = impact.position
+		ball.velocity.add(gravity.scaled(seconds))
+		bounce(ball, impact, surroundings.bounciness, bounces)
+		move_under(Vec2.new(), ball, seconds * (1.0 - impact.time), surroundings, bounces)
+		return bounces
+
+
+## Which of the ready-made situations shows a mistake at once, by its number.
+const SCENES: Dictionary[int, int] = {14: 3, 21: 5, 24: 9, 26: 9}
+
+
+## The way of moving that makes the mistake [param number]; the right one for 0.
+static func mover(number: int) -> BallMover:
+	match number:
+		14:
+			return AlwaysReflectMover.new()
+		21:
+			return LastHitMover.new()
+		24:
+			return PointOfImpactMover.new()
+		26:
+			return FullGravityMover.new()
+	return WholeFrameMover.new()
+
+
+## All of them, as the list shows them.
+static func all() -> Array[MistakeInfo]:
+	return [
+		MistakeInfo.new(
+			14,
+			_translate("reflected while moving away"),
+			_translate(
+				"The ball overlaps, so it is reflected, frame after frame: it sinks and jitters."
+			),
+			"test_known_stepping_mistakes.test_a_ball_that_moves_away_is_not_reflected_again"
+		),
+		MistakeInfo.new(
+			21,
+			_translate("last hit instead of the earliest"),
+			_translate(
+				"Two walls in one frame: the last in the list wins. The ball passes the first."
+			),
+			"test_known_stepping_mistakes.test_the_earliest_of_two_walls_is_hit"
+		),
+		MistakeInfo.new(
+			24,
+			_translate("rest of the frame lost"),
+			_translate("After the bounce the ball waits for the next frame, but gravity does not."),
+			"test_known_stepping_mistakes.test_the_rest_of_the_frame_is_used"
+		),
+		MistakeInfo.new(
+			26,
+			_translate("full gravity before the bounce"),
+			_translate("All of the frame's gravity comes before the bounce: each one adds energy."),
+			"test_known_stepping_mistakes.test_gravity_before_the_bounce_lasts_until_the_bounce"
+		),
+	]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,75 @@
+class_name AngledLinesPlayer
+extends Node
+## The time of the lesson on angled lines: whole frames of 1/60 s, forward and back, however long
+## the screen's own frames are.
+
+## The model has made a frame, or gone one back.
+signal stepped(is_forward: bool)
+## All frames that belong to one frame of the screen have been made.
+signal advanced
+## Playing has begun or ended.
+signal turned
+
+# More frames than this are not made at once: on a slow machine time rather runs slower.
+const _MOST_AT_ONCE := 4
+
+## What the script takes of a frame.
+var meter := FrameMeter.new()
+
+var _model: AngledLinesModel
+var _transport: Transport
+var _seconds := 0.0
+var _was_playing := false
+
+
+## Plays [param model] when [param transport] says so.
+func play(model: AngledLinesModel, transport: Transport) -> void:
+	_model = model
+	_transport = transport
+	transport.advanced.connect(_advance)
+
+
+## Time runs by itself.
+func is_playing() -> bool:
+	return _transport.is_playing
+
+
+## Time stands still from now on.
+func pause() -> void:
+	_transport.is_playing = false
+
+
+## One frame on or back, and time stands still.
+func step(is_forward: bool) -> void:
+	pause()
+	_step(is_forward)
+	advanced.emit()
+
+
+func _process(_delta: float) -> void:
+	if _was_playing != is_playing():
+		_was_playing = is_playing()
+		_seconds = 0.0
+		turned.emit()
+
+
+func _advance(seconds: float) -> void:
+	if not is_playing():
+		step(seconds > 0.0)
+		return
+	meter.start()
+	_seconds = minf(_seconds + seconds, _MOST_AT_ONCE * AngledLinesModel.FRAME)
+	# A hair less than a frame is one: the screen's frames are not exact.
+	while _seconds > 0.999 * AngledLinesModel.FRAME:
+		_seconds -= AngledLinesModel.FRAME
+		_step(true)
+	advanced.emit()
+	meter.stop()
+
+
+func _step(is_forward: bool) -> void:
+	if is_forward:
+		_model.step()
+		stepped.emit(true)
+	elif _model.step_back():
+		stepped.emit(false)

@@ -1,0 +1,158 @@
+class_name AngledLinesScenes
+extends RefCounted
+## The ready-made situations of the lesson on angled lines: the course's scenes of week 3 on the
+## keys 0 to 9.
+
+## What each is called, by its key: source text.
+const TITLES: PackedStringArray = [
+	"Assignment",
+	"Corner, slow",
+	"Corner, fast",
+	"Stack",
+	"Cradle",
+	"Tunnelling",
+	"Diagonal",
+	"Ten balls",
+	"Fifty balls",
+	"Energy",
+]
+
+# Lines as x and y of both ends, in pixels.
+const _BOX: Array[Vector4i] = [
+	Vector4i(-270, -178, 280, -160),
+	Vector4i(280, -160, 260, 180),
+	Vector4i(260, 180, -262, 160),
+	Vector4i(-262, 160, -270, -178),
+]
+const _ASSIGNMENT: Array[Vector4i] = [
+	Vector4i(-210, -60, -90, 10),
+	Vector4i(60, 50, 180, -10),
+	Vector4i(-60, -100, 40, -80),
+	Vector4i(-170, 80, -60, 100),
+	Vector4i(120, -120, 200, -60),
+	Vector4i(20, 120, 110, 90),
+]
+const _MANY: Array[Vector4i] = [
+	Vector4i(-230, -80, -180, -50),
+	Vector4i(-140, -120, -100, -90),
+	Vector4i(-60, -80, -10, -100),
+	Vector4i(40, -110, 90, -80),
+	Vector4i(130, -70, 180, -100),
+	Vector4i(210, -30, 240, -70),
+	Vector4i(-190, 10, -140, -20),
+	Vector4i(-100, -10, -50, 20),
+	Vector4i(10, -10, 60, -30),
+	Vector4i(110, 10, 160, 40),
+	Vector4i(-240, 70, -190, 100),
+	Vector4i(-140, 80, -90, 60),
+	Vector4i(-50, 90, 0, 120),
+	Vector4i(50, 90, 100, 70),
+	Vector4i(140, 90, 190, 120),
+	Vector4i(200, 50, 240, 20),
+]
+const _CORNER: Array[Vector4i] = [Vector4i(90, -140, 225, 40), Vector4i(225, 40, 105, 130)]
+const _STACK: Array[Vector4i] = [
+	Vector4i(-220, -110, 120, -70),
+	Vector4i(220, -50, -120, -10),
+	Vector4i(-220, 10, 120, 50),
+	Vector4i(220, 70, -120, 110),
+]
+const _WALLS: Array[Vector4i] = [
+	Vector4i(-20, -120, 20, 120), Vector4i(50, -120, 90, 120), Vector4i(160, -120, 160, 120)
+]
+const _DIAGONAL: Array[Vector4i] = [Vector4i(-20, 110, 160, -70)]
+
+const _DOWN := Vector2i(0, 300)
+const _NONE := Vector2i(0, 0)
+
+
+## Puts the situation [param number], 0 to 9, into [param world].
+static func set_up(number: int, world: SteppedWorld) -> void:
+	match number:
+		0:
+			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, [_ball(-200, -120, 160, 0, 12)])
+		1:
+			_fill(world, _BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 240, 30, 12)])
+		2:
+			_fill(world, _BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 7200, 900, 12)])
+		3:
+			_fill(world, _BOX + _STACK, _DOWN, 0.5, _row_of_balls())
+		4:
+			_set_up_cradle(world)
+		5:
+			_fill(world, _WALLS + _BOX, _NONE, 1.0, [_ball(-150, -5, 6600, 600, 12)])
+		6:
+			_fill(world, _BOX + _DIAGONAL, _NONE, 1.0, [_ball(-220, 20, 240, 0, 16)])
+		7:
+			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, _swarm(10, 9, _BOX + _ASSIGNMENT))
+		8:
+			_fill(world, _BOX + _MANY, _DOWN, 1.0, _swarm(50, 6, _BOX + _MANY))
+		9:
+			_fill(world, _BOX, _DOWN, 1.0, [_ball(-150, -110, 60, 0, 14)])
+
+
+static func _fill(
+	world: SteppedWorld,
+	lines: Array[Vector4i],
+	gravity: Vector2i,
+	bounciness: float,
+	balls: Array[Ball]
+) -> void:
+	world.surroundings.set_segments(_segments(lines))
+	world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y))
+	world.surroundings.set_bounciness(bounciness)
+	world.set_balls(balls)
+
+
+static func _segments(lines: Array[Vector4i]) -> Array[LineSegment]:
+	var segments: Array[LineSegment] = []
+	for line in lines:
+		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))
+	return segments
+
+
+static func _ball(x: int, y: int, velocity_x: int, velocity_y: int, radius: int) -> Ball:
+	return Ball.new(Vec2.new(x, y), radius, Vec2.new(velocity_x, velocity_y))
+
+
+static func _row_of_balls() -> Array[Ball]:
+	return [_ball(-190, -130, 0, 0, 12), _ball(-150, -130, 0, 0, 12), _ball(-110, -130, 0, 0, 12)]
+
+
+# Balls in a sunflower's order, so that none is on top of another, each in a direction of its own.
+# A place on a line is left out.
+static func _swarm(count: int, radius: int, lines: Array[Vector4i]) -> Array[Ball]:
+	var segments := _segments(lines)
+	var balls: Array[Ball] = []
+	var i := 0
+	while balls.size() < count:
+		var place := Vec2.unit_degrees(137.5 * i).scaled(18.0 * sqrt(i + 0.5))
+		place.x *= 1.4
+		if _is_clear(place, radius, segments):
+			balls.append(Ball.new(place, radius, Vec2.unit_degrees(222.5 * i).scaled(150.0)))
+		i += 1
+	return balls
+
+
+static func _is_clear(place: Vec2, radius: float, segments: Array[LineSegment]) -> bool:
+	for segment in segments:
+		if segment.closest_point(place).distance_to(place) <= radius:
+			return false
+	return true
+
+
+# Five cells in a row, tilted by the 7-24-25 triangle, so that all numbers are short. The ball in
+# cell k goes to and fro k times a second: once a second all are back at the same side.
+static func _set_up_cradle(world: SteppedWorld) -> void:
+	var along := Vec2.new(0.96, 0.28)
+	var lines: Array[LineSegment] = []
+	var balls: Array[Ball] = []
+	for wall in 6:
+		var foot := along.scaled(-275.0 + 110.0 * wall)
+		var half := along.normal().scaled(90.0)
+		lines.append(LineSegment.new(foot.minus(half), foot.plus(half)))
+		if wall > 0:
+			var start := foot.minus(along.scaled(98.0))
+			balls.append(Ball.new(start, 12.0, along.scaled(172.0 * wall)))
+	_fill(world, [], _NONE, 1.0, balls)
+	world.surroundings.set_segments(lines)

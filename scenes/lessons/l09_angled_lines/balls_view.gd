@@ -1,0 +1,48 @@
+class_name BallsView
+extends BoardPart
+## All balls of a world in their true size, drawn in one go; where it shows a mistake, outlines with
+## a cross.
+
+# Smooth edges cost time: more balls than this do without.
+const _MOST_SMOOTH := 20
+
+## Colour of the balls.
+@export var role := Palette.Role.A
+## Outlines with a cross: the balls that a mistake moves.
+@export var is_wrong := false
+
+## Where the time of drawing is counted.
+var meter: FrameMeter
+
+var _world: SteppedWorld
+
+
+## Shows the balls of [param world] where they are now; null for none.
+func show_world(world: SteppedWorld) -> void:
+	_world = world
+	queue_redraw()
+
+
+func _draw() -> void:
+	if not _world:
+		return
+	meter.start()
+	var color := Palette.color(role)
+	for i in _world.balls.size():
+		if _world.is_lost[i] == 0:
+			var ball := _world.balls[i]
+			var pixels := maxf(ball.radius * board.pixels_per_unit, 2.0)
+			_draw_ball(board.to_screen(ball.position), pixels, color)
+	meter.stop()
+
+
+func _draw_ball(middle: Vector2, pixels: float, color: Color) -> void:
+	if is_wrong:
+		var arm := Vector2(pixels, pixels) * 0.5
+		draw_circle(middle, pixels, color, false, 2.5, _world.balls.size() <= _MOST_SMOOTH)
+		draw_line(middle - arm, middle + arm, color, 2.0)
+		draw_line(middle + Vector2(arm.x, -arm.y), middle + Vector2(-arm.x, arm.y), color, 2.0)
+	else:
+		var is_smooth := _world.balls.size() <= _MOST_SMOOTH
+		draw_circle(middle, pixels, color, true, -1.0, is_smooth)
+		draw_circle(middle, pixels - 2.5, color.lerp(Palette.PAPER, 0.7), true, -1.0, is_smooth)

@@ -1,0 +1,52 @@
+@abstract class_name BallMover
+extends RefCounted
+## Moves one ball by one frame among lines: the assignment of the lecture, part 16. Each way of
+## doing it is a class of its own.
+
+## Pixels per second. An approach slower than this is the rounding of a ball that lies on a line,
+## not a bounce.
+const SLOWEST_BOUNCE := 1e-6
+
+## Moves [param ball] by [param seconds] and returns its bounces in their order.
+@abstract func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
+
+
+## Moves the ball along its free flight; nothing is in its way.
+func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
+	ball.position.add(FreeFlight.motion(ball.velocity, gravity, seconds))
+	ball.velocity = FreeFlight.velocity_after(ball.velocity, gravity, seconds)
+
+
+## Moves the ball if no line is near its way, as most are in most frames: the quick answer for many
+## balls. False where it has to be looked at more closely; then nothing has moved.
+func fly_clear(ball: Ball, seconds: float, surroundings: Surroundings) -> bool:
+	var motion := FreeFlight.motion(ball.velocity, surroundings.gravity, seconds)
+	if surroundings.near_segments(ball.position, motion, ball.radius):
+		return false
+	ball.position.add(motion)
+	ball.velocity.add(surroundings.gravity.scaled(seconds))
+	return true
+
+
+## Puts the ball at the point of impact of a flight of [param seconds], with the velocity that it
+## has got there.
+func fly_to(ball: Ball, impact: Impact, seconds: float, gravity: Vec2) -> void:
+	var way := impact.position.minus(ball.position)
+	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.time)
+	ball.position = impact.position
+
+
+## Bounces the ball, which is at the point of impact, off what it has touched. Adds a record to
+## [param bounces] unless it only lies there; a ball that does not approach keeps its velocity.
+func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[BounceRecord]) -> void:
+	var before := ball.velocity.copy()
+	Bounce.apply(ball.velocity, impact.normal, bounciness)
+	if -before.dot(impact.normal) < SLOWEST_BOUNCE:
+		return
+	var record := BounceRecord.new()
+	record.position = ball.position.copy()
+	record.normal = impact.normal
+	record.time = impact.time
+	record.velocity_before = before
+	record.velocity_after = ball.velocity.copy()
+	bounces.append(record)

@@ -1,0 +1,24 @@
+class_name PointOfImpactMover
+extends BallMover
+## Part 13 of the lecture as most write it: goes to the first point of impact, bounces, and leaves
+## it at that.
+##
+## The rest of the frame is lost: the ball waits there while gravity goes on pulling, so it loses
+## energy, and each bounce makes it late.
+
+
+## See [method BallMover.move].
+func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
+	var bounces: Array[BounceRecord] = []
+	if fly_clear(ball, seconds, surroundings):
+		return bounces
+	var gravity := surroundings.gravity
+	var motion := FreeFlight.motion(ball.velocity, gravity, seconds)
+	var impact := surroundings.first_impact(ball, motion)
+	if not impact.hit:
+		fly(ball, seconds, gravity)
+		return bounces
+	fly_to(ball, impact, seconds, gravity)
+	bounce(ball, impact, surroundings.bounciness, bounces)
+	ball.velocity.add(gravity.scaled(seconds * (1.0 - impact.time)))
+	return bounces

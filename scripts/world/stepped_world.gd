@@ -1,0 +1,212 @@
+class_name SteppedWorld
+extends RefCounted
+## Balls among lines, moved frame by frame as the course does: what each way of stepping keeps and
+## loses can be compared. The balls do not touch each other.
+##
+## What cannot be taken is refused: [method set_balls], [method step] and [method put_state] return
+## "" or one sentence with the value and what is allowed, and then nothing has changed.
+
+## How a frame is stepped: see [PositionResetMover], [PointOfImpactMover], [WholeFrameMover].
+enum Method { POSITION_RESET, POINT_OF_IMPACT, WHOLE_FRAME }
+
+## Pixels. A ball further than this from the origin, in x or y, is lost: it is no longer moved.
+const REACH := 800.0
+## Seconds that one step may last.
+const LONGEST_STEP := 1.0
+
+const _NUMBERS_IN_FRONT := 3
+const _NUMBERS_PER_BALL := 5
+
+## Lines, gravity and bounciness.
+var surroundings := Surroundings.new()
+## Read them; change them by [method set_balls].
+var balls: Array[Ball] = []
+## 1 where the ball at that place in [member balls] is lost.
+var is_lost: PackedByteArray = []
+## Steps made so far.
+var frames := 0
+## Bounces of all balls so far.
+var bounces := 0
+## How often a ball was lost so far, whether or not it was brought back.
+var losses := 0
+## The bounces of the latest step.
+var latest_bounces: Array[BounceRecord] = []
+## What moves the balls.
+var mover: BallMover = WholeFrameMover.new()
+
+# 1 where the last frame has changed nothing at a ball: then the next one will not either, as long
+# as nothing else changes. Balls that lie still cost nothing.
+var _is_still: PackedByteArray = []
+# What the frame was like for which that was found out.
+var _frame_kind: Array = []
+
+
+## The way of stepping that belongs to [param method].
+static func mover_of(method: Method) -> BallMover:
+	match method:
+		Method.POSITION_RESET:
+			return PositionResetMover.new()
+		Method.POINT_OF_IMPACT:
+			return PointOfImpactMover.new()
+	return WholeFrameMover.new()
+
+
+## Takes copies of these balls in place of the old ones, and counts anew.
+func set_balls(new_balls: Array[Ball]) -> String:
+	var copies: Array[Ball] = []
+	for ball in new_balls:
+		var problem := _problem_of(ball)
+		if problem:
+			return problem
+		copies.append(ball.copy())
+	balls = copies
+	is_lost.resize(balls.size())
+	is_lost.fill(0)
+	_wake()
+	frames = 0
+	bounces = 0
+	losses = 0
+	latest_bounces.clear()
+	return ""
+
+
+## Moves every ball that is not lost by [param seconds], above 0 and at most
+## [constant LONGEST_STEP].
+func step(seconds: float) -> String:
+	if not (seconds > 0.0 and seconds <= LONGEST_STEP):
+		return "A step must last above 0 and at most 1 s, not %s." % seconds
+	frames += 1
+	latest_bounces.clear()
+	_wake_where_changed(seconds)
+	for i in balls.size():
+		if is_lost[i] == 0 and _is_still[i] == 0:
+			_move(i, seconds)
+	return ""
+
+
+## Puts one ball elsewhere and gives it another velocity; a lost one is back in play.
+func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
+	var changed := Ball.new(position, balls[index].radius, velocity, balls[index].mass)
+	var problem := _problem_of(changed)
+	if not problem:
+		bring_back(index, changed)
+	return problem
+
+
+## Brings a lost ball back to where [param ball] is, as fast as that.
+func bring_back(index: int, ball: Ball) -> void:
+	balls[index] = ball.copy()
+	is_lost[index] = 0
+	_wake()
+
+
+## How many balls are lost now.
+func lost_count() -> int:
+	return is_lost.count(1)
+
+
+## The energy of all balls that are not lost: m (v^2 / 2 - g . x), with the height counted from
+## [method Surroundings.deepest]. In px^2/s^2 for a mass of 1.
+func energy() -> float:
+	var sum := 0.0
+	var deepest := surroundings.deepest()
+	for i in balls.size():
+		if is_lost[i] == 0:
+			var height := deepest - surroundings.gravity.dot(balls[i].position)
+			sum += balls[i].mass * (balls[i].velocity.length_squared() / 2.0 + height)
+	return sum
+
+
+## A world that shares nothing with this one but the way of stepping, and has counted nothing yet.
+## With [param only] it holds none but the ball at that place.
+func copy(only: int = -1) -> SteppedWorld:
+	var other := SteppedWorld.new()
+	other.surroundings = surroundings.copy()
+	other.mover = mover
+	for i in balls.size():
+		if only < 0 or only == i:
+			other.balls.append(balls[i].copy())
+			other.is_lost.append(is_lost[i])
+	other._wake()
+	return other
+
+
+## All that moves, as plain numbers: counters, then place, velocity and loss of each ball.
+func state() -> PackedFloat64Array:
+	var packed: PackedFloat64Array = [frames, bounces, losses]
+	for i in balls.size():
+		var ball := balls[i]
+		packed.append_array(
+			[ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y, is_lost[i]]
+		)
+	return packed
+
+
+## Puts back what [method state] has told, to the last bit.
+func put_state(packed: PackedFloat64Array) -> String:
+	var wanted := _NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * balls.size()
+	if packed.size() != wanted:
+		var sizes := [balls.size(), wanted, packed.size()]
+		return "The state of %d balls has %d numbers, not %d." % sizes
+	for number in packed:
+		if not is_finite(number):
+			return "The numbers of a state must be finite, not %s." % number
+	frames = int(packed[0])
+	bounces = int(packed[1])
+	losses = int(packed[2])
+	latest_bounces.clear()
+	_wake()
+	for i in balls.size():
+		_put_ball(i, packed, _NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * i)
+	return ""
+
+
+func _put_ball(index: int, packed: PackedFloat64Array, at: int) -> void:
+	balls[index].position.set_xy(packed[at], packed[at + 1])
+	balls[index].velocity.set_xy(packed[at + 2], packed[at + 3])
+	is_lost[index] = int(packed[at + 4])
+
+
+func _move(index: int, seconds: float) -> void:
+	var ball := balls[index]
+	var x := ball.position.x
+	var y := ball.position.y
+	var across := ball.velocity.x
+	var down := ball.velocity.y
+	var records := mover.move(ball, seconds, surroundings)
+	if ball.position.x == x and ball.position.y == y:
+		if ball.velocity.x == across and ball.velocity.y == down:
+			_is_still[index] = 1
+	for record in records:
+		record.ball_index = index
+	bounces += records.size()
+	latest_bounces.append_array(records)
+	# Not "greater": of NaN every comparison is false.
+	if not (absf(ball.position.x) <= REACH and absf(ball.position.y) <= REACH):
+		is_lost[index] = 1
+		losses += 1
+
+
+func _wake() -> void:
+	_is_still.resize(balls.size())
+	_is_still.fill(0)
+
+
+func _wake_where_changed(seconds: float) -> void:
+	var frame_kind := [seconds, surroundings.changes, mover]
+	if frame_kind != _frame_kind:
+		_frame_kind = frame_kind
+		_wake()
+
+
+static func _problem_of(ball: Ball) -> String:
+	if ball.problem():
+		return ball.problem()
+	if not (absf(ball.position.x) <= REACH and absf(ball.position.y) <= REACH):
+		return "A ball must be within -800..800 px in x and y, not at %s." % ball.position
+	if not Surroundings.is_within(ball.velocity):
+		return "A ball's speed must be within -1e6..1e6 px/s, not %s." % ball.velocity
+	if not (ball.radius <= Surroundings.LARGEST and ball.mass <= Surroundings.LARGEST):
+		var sizes := [ball.radius, ball.mass]
+		return "A ball's radius and mass must be at most 1e6, not %s and %s." % sizes
+	return ""

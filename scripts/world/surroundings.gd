@@ -1,0 +1,109 @@
+class_name Surroundings
+extends RefCounted
+## What acts on a ball: lines, gravity, and how bouncy the lines are.
+##
+## What cannot be taken is refused: each `set_` method returns "" or one sentence with the value and
+## what is allowed, and then nothing has changed.
+
+## Coordinates, speeds and gravity stay within this, in pixels, seconds and their quotients.
+const LARGEST := 1e6
+
+## Read it; change it by [method set_segments].
+var segments: Array[LineSegment] = []
+## Pixels per second squared, any direction. Read it; change it by [method set_gravity].
+var gravity := Vec2.new()
+## The coefficient of restitution C, 0..1. Read it; change it by [method set_bounciness].
+var bounciness := 1.0
+## Counts the changes made so far, so that others see that there was one.
+var changes := 0
+
+var _boxes := SegmentBoxes.new([])
+
+
+## Takes copies of these segments in place of the old ones.
+func set_segments(new_segments: Array[LineSegment]) -> String:
+	var copies: Array[LineSegment] = []
+	for segment in new_segments:
+		var problem := _problem_of(segment)
+		if problem:
+			return problem
+		copies.append(segment.copy())
+	segments = copies
+	_boxes = SegmentBoxes.new(segments)
+	changes += 1
+	return ""
+
+
+## Takes this gravity from now on.
+func set_gravity(new_gravity: Vec2) -> String:
+	if not is_within(new_gravity):
+		return "Gravity must be within -1e6..1e6 px/s² in x and y, not %s." % new_gravity
+	gravity = new_gravity.copy()
+	changes += 1
+	return ""
+
+
+## Takes this bounciness from now on.
+func set_bounciness(new_bounciness: float) -> String:
+	if not (new_bounciness >= 0.0 and new_bounciness <= 1.0):
+		return "The bounciness C must be within 0..1, not %s." % new_bounciness
+	bounciness = new_bounciness
+	changes += 1
+	return ""
+
+
+## Surroundings that share nothing with these.
+func copy() -> Surroundings:
+	var other := Surroundings.new()
+	other.set_segments(segments)
+	other.set_gravity(gravity)
+	other.set_bounciness(bounciness)
+	return other
+
+
+## The first impact of a ball that moves by [param motion]; [member Impact.segment_index] is a place
+## in [member segments]. The segments at the places [param skipped] are left out.
+func first_impact(ball: Ball, motion: Vec2, skipped: PackedInt32Array = []) -> Impact:
+	var near := near_segments(ball.position, motion, ball.radius, skipped)
+	if near.is_empty():
+		return Impact.miss(Impact.Outcome.TOO_FAR)
+	var candidates: Array[LineSegment] = []
+	for index in near:
+		candidates.append(segments[index])
+	var impact := EarliestImpact.among(ball.position, motion, ball.radius, candidates)
+	if impact.hit:
+		impact.segment_index = near[impact.segment_index]
+	return impact
+
+
+## The places in [member segments] of those that a ball may touch while it moves by [param motion],
+## in their order, without the places [param skipped].
+func near_segments(
+	position: Vec2, motion: Vec2, radius: float, skipped: PackedInt32Array = []
+) -> PackedInt32Array:
+	var near := _boxes.near(position, motion, radius)
+	for index in skipped:
+		near.erase(index)
+	return near
+
+
+## The largest g . x of all ends of lines: where the height is counted from. 0 without lines.
+func deepest() -> float:
+	var found := -INF
+	for segment in segments:
+		found = maxf(found, maxf(gravity.dot(segment.start), gravity.dot(segment.end)))
+	return found if segments else 0.0
+
+
+## Whether both components are numbers within -[constant LARGEST]..[constant LARGEST].
+static func is_within(vector: Vec2) -> bool:
+	return absf(vector.x) <= LARGEST and absf(vector.y) <= LARGEST
+
+
+static func _problem_of(segment: LineSegment) -> String:
+	if segment.problem():
+		return segment.problem()
+	if not (is_within(segment.start) and is_within(segment.end)):
+		var ends := [segment.start, segment.end]
+		return "A segment's ends must be within -1e6..1e6 px, not %s and %s." % ends
+	return ""

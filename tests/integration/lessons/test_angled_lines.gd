@@ -1,0 +1,249 @@
+extends BallLessonTest
+## Drives the lesson on angled lines: keys of the course, drawing, moving and deleting lines,
+## dragging the ball, steps back, situations, mistakes, undo and reset.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"angled_lines"))
+
+
+func test_it_starts_with_the_next_bounce_worked_out() -> void:
+	assert_string_contains(formula_lines()[2], "v − (1 + C) (v · n) n = (")
+	assert_eq(_shown_now(), [true, true] as Array[bool])
+	assert_eq(_world().frames, 0)
+
+
+func test_a_drag_on_the_empty_board_draws_a_line_and_undo_takes_it_away() -> void:
+	await drag(Vec2.new(-180, 30), Vec2.new(-120, 50))
+	assert_eq(_lines().size(), 11)
+	assert_vec2(_lines()[10].start, Vec2.new(-180, 30), 0.0)
+	assert_vec2(_lines()[10].end, Vec2.new(-120, 50), 0.0)
+	await student.press(&"lab_undo")
+	assert_eq(_lines().size(), 10)
+
+
+func test_a_mere_click_on_the_board_draws_nothing() -> void:
+	await student.click_at(place(-180, 40))
+	assert_eq(_lines().size(), 10)
+
+
+func test_a_line_is_moved_by_its_body_and_by_an_end() -> void:
+	await drag(Vec2.new(120, 20), Vec2.new(120, 40))
+	assert_vec2(_lines()[5].start, Vec2.new(60, 70), 0.0)
+	assert_vec2(_lines()[5].end, Vec2.new(180, 10), 0.0)
+	await drag(Vec2.new(180, 10), Vec2.new(200, 30))
+	assert_vec2(_lines()[5].end, Vec2.new(200, 30), 0.0)
+	assert_vec2(_lines()[5].start, Vec2.new(60, 70), 0.0)
+
+
+func test_a_line_drawn_to_length_zero_is_refused_and_stays() -> void:
+	await drag(Vec2.new(180, -10), Vec2.new(60, 50))
+	assert_reads("A segment must be longer than 0")
+	assert_gt(_lines()[5].length(), 0.0)
+
+
+func test_delete_takes_the_line_with_the_focus() -> void:
+	await student.click_at(place(120, 20))
+	await student.press(&"lab_delete_line")
+	assert_eq(_lines().size(), 9)
+	await student.press(&"lab_delete_line")
+	assert_eq(_lines().size(), 9, "none has the focus now")
+
+
+func test_the_button_beside_a_line_deletes_it() -> void:
+	await student.click_at(place(120, 20))
+	await click_button("Delete this line: Delete")
+	assert_eq(_lines().size(), 9)
+	assert_does_not_read("✕")
+
+
+func test_the_ball_can_be_dragged_and_its_velocity_too() -> void:
+	await drag(Vec2.new(-200, -120), Vec2.new(-150, -130))
+	assert_vec2(_ball().position, Vec2.new(-150, -130), 0.0)
+	assert_vec2(_ball().velocity, Vec2.new(160, 0), 0.0)
+	await drag(Vec2.new(-110, -130), Vec2.new(-100, -110))
+	assert_vec2(_ball().velocity, Vec2.new(200, 80), 1e-9)
+
+
+func test_any_of_ten_balls_can_be_taken() -> void:
+	await student.press(&"lab_preset_7")
+	var at := _world().balls[6].position
+	await drag(at, at.plus(Vec2.new(30, 0)))
+	assert_eq(_model().selected, 6)
+	assert_almost_eq(_world().balls[6].position.x, at.x + 30.0, 10.0)
+
+
+func test_arrow_keys_turn_gravity_and_backspace_takes_it_away() -> void:
+	await student.press(&"lab_gravity_left")
+	assert_vec2(_gravity(), Vec2.new(-300, 0), 1e-9)
+	await student.press(&"lab_gravity_up")
+	assert_vec2(_gravity(), Vec2.new(0, -300), 1e-9)
+	await student.press(&"lab_gravity_none")
+	assert_vec2(_gravity(), Vec2.new(), 0.0)
+
+
+func test_arrow_keys_nudge_a_handle_that_has_the_focus_instead() -> void:
+	await student.click_at(place(120, 20))
+	await student.press(&"ui_right")
+	assert_vec2(_gravity(), Vec2.new(0, 300), 0.0)
+	assert_vec2(_lines()[5].start, Vec2.new(70, 50), 0.0)
+
+
+func test_the_arrow_of_gravity_can_be_dragged() -> void:
+	var head := Screen.named(screen(), "Head of gravity g")
+	var middle := head.get_global_rect().get_center()
+	await student.drag(middle, middle + Vector2(20.0 * frame().lesson.pixels_per_unit, 0.0))
+	assert_vec2(_gravity(), Vec2.new(200, 300), 1e-6)
+
+
+func test_b_goes_through_the_bouncinesses_and_c_can_be_typed() -> void:
+	await student.press(&"lab_next_bounciness")
+	assert_eq(_world().surroundings.bounciness, 0.8)
+	await student.enter(field("bounciness C"), "0.25")
+	assert_eq(_world().surroundings.bounciness, 0.25)
+	await student.enter(field("bounciness C"), "2")
+	assert_reads("The bounciness C must be within 0..1, not 2.")
+	assert_eq(_world().surroundings.bounciness, 0.25)
+
+
+func test_s_steps_and_shift_s_steps_back_to_the_same_bits() -> void:
+	var first := _world().state()
+	for i: int in 5:
+		await student.press(&"lab_step")
+	assert_eq(_world().frames, 5)
+	for i: int in 5:
+		await student.press(&"lab_step_back")
+	assert_eq(_world().state(), first)
+
+
+func test_play_runs_and_the_step_buttons_pause() -> void:
+	await student.press(&"lab_pause")
+	for i: int in 20:
+		await get_tree().process_frame
+	assert_gt(_world().frames, 0)
+	await click_button("One frame back")
+	var frames := _world().frames
+	await student.settle()
+	assert_eq(_world().frames, frames)
+
+
+func test_space_after_a_click_on_a_situation_is_slow_motion() -> void:
+	await click_button("6 Diagonal")
+	await student.press(&"lab_slow")
+	var slow := frame().lesson.services[&"transport"].get_node("%Slow") as Button
+	assert_true(slow.button_pressed)
+	assert_eq(_model().scene, 6)
+
+
+func test_every_digit_puts_up_its_situation() -> void:
+	for scene: int in 10:
+		await student.press(StringName("lab_preset_%d" % scene))
+		assert_eq(_model().scene, scene)
+
+
+func test_reset_goes_back_to_the_start_of_the_situation_picked() -> void:
+	await student.press(&"lab_preset_6")
+	var first := _world().state()
+	await student.press(&"lab_step")
+	await drag(Vec2.new(-180, 80), Vec2.new(-120, 100))
+	await student.press(&"lab_reset")
+	assert_eq(_world().state(), first)
+	assert_eq(_lines().size(), 5)
+
+
+func test_d_hides_trails_and_c_clears_them() -> void:
+	var trails := frame().lesson.get_node("%Trails") as BallTrails
+	for i: int in 3:
+		await student.press(&"lab_step")
+	assert_eq(trails.length_of(0), 4)
+	await student.press(&"lab_step_back")
+	assert_eq(trails.length_of(0), 3)
+	await student.press(&"lab_clear_trails")
+	assert_eq(trails.length_of(0), 1)
+	await student.press(&"lab_toggle_trails")
+	assert_false(trails.visible)
+
+
+func test_a_lost_ball_is_counted_and_fetched() -> void:
+	await student.press(&"lab_preset_5")
+	_choose_method(SteppedWorld.Method.POSITION_RESET)
+	for i: int in 20:
+		await student.press(&"lab_step")
+	assert_reads("lost 1")
+	await student.press(&"lab_fetch_balls")
+	assert_eq(_world().lost_count(), 0)
+	assert_reads("lost 1")
+
+
+func test_each_way_of_stepping_can_be_chosen_and_undone() -> void:
+	_choose_method(SteppedWorld.Method.POINT_OF_IMPACT)
+	await student.settle()
+	assert_true(_world().mover is PointOfImpactMover)
+	await student.press(&"lab_undo")
+	assert_true(_world().mover is WholeFrameMover)
+
+
+func test_each_mistake_runs_beside_the_right_way() -> void:
+	for number: int in [14, 21, 24, 26]:
+		await pick_mistake("Mistake %d" % number)
+		assert_eq(_model().mistake, number)
+		assert_not_null(_model().wrong_world)
+		assert_reads("test_known_stepping_mistakes")
+	await pick_mistake("No mistake")
+	assert_null(_model().wrong_world)
+
+
+func test_the_comparison_fills_in_while_paused() -> void:
+	for i: int in 600:
+		if readout_text(0, 0) == "after 60 s":
+			break
+		await get_tree().process_frame
+	assert_eq(readout_text(0, 0), "after 60 s")
+	assert_eq(readout_text(3, 1), "1")
+	assert_string_contains(readout_text(1, 1), "1.")
+
+
+func test_a_question_can_be_answered_and_shown_on_the_board() -> void:
+	var question := frame().lesson.services[&"question"] as FoldableContainer
+	question.folded = false
+	await student.settle()
+	await student.enter(field("x ="), "1")
+	await student.enter(field("y ="), "2000")
+	assert_reads("(1, 2000) is not it yet.")
+	await click_button("Show on board")
+	assert_eq(_lines().size(), 2, "line A and line B")
+	assert_eq(_world().balls.size(), 1)
+
+
+func test_help_names_the_keys_of_the_course() -> void:
+	for text: String in ["S step", "←↑→↓ gravity", "0…9 scene"]:
+		assert_reads(text.replace(" ", "\u00a0"))
+
+
+func _model() -> AngledLinesModel:
+	return frame().lesson.get(&"_model")
+
+
+func _world() -> SteppedWorld:
+	return _model().world
+
+
+func _ball() -> Ball:
+	return _model().ball()
+
+
+func _lines() -> Array[LineSegment]:
+	return _world().surroundings.segments
+
+
+func _gravity() -> Vec2:
+	return _world().surroundings.gravity
+
+
+func _shown_now() -> Array[bool]:
+	return seen(["%Impact", "%Normal"])
+
+
+func _choose_method(method: SteppedWorld.Method) -> void:
+	frame().lesson.services[&"options"].emit_signal(&"chosen", "method", method)

@@ -1,0 +1,212 @@
+extends LabTest
+## Tests of the lesson on angled lines: situations, mistakes, past, what is entered, questions.
+
+
+func test_every_situation_has_balls_inside_and_lines() -> void:
+	for scene: int in AngledLinesScenes.TITLES.size():
+		var model := AngledLinesModel.new()
+		model.set_up(scene)
+		var world := model.world
+		assert_gt(world.surroundings.segments.size(), 3, AngledLinesScenes.TITLES[scene])
+		assert_eq(world.lost_count(), 0)
+
+
+func test_one_ten_and_fifty_balls_are_among_the_situations() -> void:
+	var counts: Array[int] = []
+	for scene: int in [0, 7, 8]:
+		var model := AngledLinesModel.new()
+		model.set_up(scene)
+		counts.append(model.world.balls.size())
+	assert_eq(counts, [1, 10, 50] as Array[int])
+
+
+func test_in_no_situation_a_ball_overlaps_a_line_at_the_start() -> void:
+	for scene: int in AngledLinesScenes.TITLES.size():
+		var model := AngledLinesModel.new()
+		model.set_up(scene)
+		var deepest := INF
+		for ball: Ball in model.world.balls:
+			for line: LineSegment in model.world.surroundings.segments:
+				var gap := line.closest_point(ball.position).distance_to(ball.position)
+				deepest = minf(deepest, gap - ball.radius)
+		assert_gt(deepest, -1e-9, AngledLinesScenes.TITLES[scene])
+
+
+func test_no_ball_is_lost_and_no_energy_in_ten_seconds_of_any_situation() -> void:
+	for scene: int in AngledLinesScenes.TITLES.size():
+		var model := AngledLinesModel.new()
+		model.set_up(scene)
+		for frame: int in 600 if scene != 8 else 120:
+			model.step()
+		assert_eq(model.world.losses, 0, AngledLinesScenes.TITLES[scene])
+		if model.world.surroundings.bounciness == 1.0:
+			assert_almost_eq(model.energy_share(model.world), 1.0, 1e-9)
+
+
+func test_once_a_second_all_balls_of_the_cradle_are_back() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(4)
+	var before := model.world.balls[4].position.copy()
+	for frame: int in 60 * 5:
+		model.step()
+	assert_vec2(model.world.balls[4].position, before, 1e-6)
+
+
+func test_position_reset_loses_the_ball_of_the_tunnelling_situation() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(5)
+	model.set_method(SteppedWorld.Method.POSITION_RESET)
+	for frame: int in 60:
+		model.step()
+	assert_eq(model.world.lost_count(), 1)
+	model.fetch_balls()
+	assert_eq(model.world.lost_count(), 0)
+	assert_vec2(model.ball().position, Vec2.new(-150.0, -5.0), 0.0)
+
+
+func test_every_mistake_moves_a_ball_elsewhere_within_three_seconds() -> void:
+	for mistake: MistakeInfo in AngledLinesMistakes.all():
+		var model := AngledLinesModel.new()
+		model.set_mistake(mistake.number)
+		var apart := 0.0
+		for frame: int in 180:
+			model.step()
+			apart = maxf(
+				apart, model.ball().position.distance_to(model.wrong_world.balls[0].position)
+			)
+		assert_gt(apart, 1.0, "mistake %d" % mistake.number)
+
+
+func test_full_gravity_before_the_bounce_gains_energy() -> void:
+	var model := AngledLinesModel.new()
+	model.set_mistake(26)
+	for frame: int in 3600:
+		model.step()
+	assert_almost_eq(model.energy_share(model.world), 1.0, 1e-9)
+	assert_gt(model.energy_share(model.wrong_world), 1.1)
+
+
+func test_every_named_test_exists() -> void:
+	for mistake: MistakeInfo in AngledLinesMistakes.all():
+		var parts := mistake.test.split(".")
+		var path := "res://tests/unit/world/%s.gd" % parts[0]
+		var code := FileAccess.get_file_as_string(path)
+		assert_string_contains(code, "func %s()" % parts[1])
+
+
+func test_steps_back_undo_steps_with_a_mistake_on() -> void:
+	var model := AngledLinesModel.new()
+	model.set_mistake(24)
+	var first := model.world.state()
+	var first_wrong := model.wrong_world.state()
+	for frame: int in 700:
+		model.step()
+	for frame: int in 700:
+		model.step_back()
+	assert_eq(model.world.state(), first)
+	assert_eq(model.wrong_world.state(), first_wrong)
+	assert_false(model.step_back())
+
+
+func test_a_stored_model_put_back_runs_on_the_same() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(7)
+	for frame: int in 50:
+		model.step()
+	var other := AngledLinesModel.new()
+	other.from_dictionary(model.to_dictionary())
+	for frame: int in 50:
+		model.step()
+		other.step()
+	assert_eq(other.world.state(), model.world.state())
+	assert_eq(other.scene, 7)
+
+
+func test_arrow_keys_keep_the_strength_of_gravity() -> void:
+	var model := AngledLinesModel.new()
+	model.set_gravity(Vec2.new(30.0, 40.0))
+	model.point_gravity(Vec2.new(-1.0, 0.0))
+	assert_vec2(model.world.surroundings.gravity, Vec2.new(-50.0, 0.0), 1e-12)
+	model.point_gravity(Vec2.new())
+	model.point_gravity(Vec2.new(0.0, -1.0))
+	assert_vec2(model.world.surroundings.gravity, Vec2.new(0.0, -300.0), 1e-12)
+
+
+func test_typed_numbers_arrive_and_wrong_ones_are_refused() -> void:
+	var model := AngledLinesModel.new()
+	assert_eq(AngledLinesEntry.enter(model, "vy", -55.5), "")
+	assert_vec2(model.ball().velocity, Vec2.new(160.0, -55.5), 0.0)
+	assert_eq(AngledLinesEntry.enter(model, "gx", 12.0), "")
+	assert_vec2(model.world.surroundings.gravity, Vec2.new(12.0, 300.0), 0.0)
+	assert_string_contains(AngledLinesEntry.enter(model, "C", 1.5), "0..1, not 1.5")
+	assert_string_contains(AngledLinesEntry.enter(model, "px", 5000.0), "-800..800")
+	assert_eq(model.world.surroundings.bounciness, 1.0)
+
+
+func test_there_is_room_for_sixty_lines_only() -> void:
+	var model := AngledLinesModel.new()
+	var lines := model.lines()
+	while lines.size() < AngledLinesModel.MOST_LINES + 1:
+		lines.append(LineSegment.new(Vec2.new(), Vec2.new(5.0, 5.0)))
+	assert_string_contains(model.set_lines(lines), "room for 60 lines")
+	assert_eq(model.lines().size(), 10)
+
+
+func test_the_forecast_is_what_happens() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(7)
+	model.selected = 3
+	var forecast := model.forecast(model.world)
+	while model.last_bounce == null:
+		model.step()
+	assert_vec2(forecast.next_bounce.position, model.last_bounce.position, 0.0)
+
+
+func test_the_comparison_shows_what_each_way_loses_in_a_minute() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(9)
+	var comparison := MethodComparison.new()
+	comparison.begin(model.world)
+	while comparison.advance(100_000, AngledLinesModel.FRAME):
+		pass
+	assert_gt(comparison.energy_share(SteppedWorld.Method.POSITION_RESET), 1.05)
+	assert_lt(comparison.energy_share(SteppedWorld.Method.POINT_OF_IMPACT), 0.95)
+	assert_almost_eq(comparison.energy_share(SteppedWorld.Method.WHOLE_FRAME), 1.0, 1e-9)
+
+
+func test_the_right_answers_of_questions_are_what_the_world_does() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 11
+	for round_number: int in 20:
+		var earliest := SteppingExercise.fresh(SteppingExercise.Kind.EARLIEST, rng)
+		earliest.world.step(AngledLinesModel.FRAME)
+		var place := earliest.world.latest_bounces[0].position
+		assert_true(earliest.check([place.x, place.y]).is_right)
+		var rest := SteppingExercise.fresh(SteppingExercise.Kind.REST, rng)
+		rest.world.step(AngledLinesModel.FRAME)
+		assert_true(rest.check([-rest.world.balls[0].position.y]).is_right)
+
+
+func test_the_velocities_asked_for_are_what_the_world_does() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 12
+	for round_number: int in 20:
+		var away := SteppingExercise.fresh(SteppingExercise.Kind.MOVING_AWAY, rng)
+		away.world.step(AngledLinesModel.FRAME)
+		var velocity := away.world.balls[0].velocity
+		assert_true(away.check([velocity.x, velocity.y]).is_right, away.prompt)
+		var gravity := SteppingExercise.fresh(SteppingExercise.Kind.GRAVITY, rng)
+		gravity.world.step(AngledLinesModel.FRAME)
+		var speed := gravity.world.latest_bounces[0].velocity_before.y
+		# Within the frame the world takes the way as straight: that is worth up to 0.07 px/s.
+		assert_almost_eq(gravity.right_answer[0], speed, 0.07, gravity.prompt)
+
+
+func test_wrong_answers_are_named() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 13
+	for kind: int in SteppingExercise.Kind.size():
+		var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
+		assert_gt(exercise.mistakes.size(), 0)
+		for mistake: Exercise.Mistake in exercise.mistakes:
+			assert_eq(exercise.check(mistake.answer).sentence, mistake.sentence)
