@@ -8,7 +8,9 @@ set -euo pipefail
 
 folder=$LAB_BUILD/mutants
 at_once=${MUTANTS_AT_ONCE:-2}
-silence=20 # seconds after which a test run counts as hanging
+# A test run hangs that prints nothing for so long, or has used up so much of a core.
+silence_seconds=20
+processor_seconds=30
 
 check_arguments() {
 	[ "${1:-}" != --quick ] || shift
@@ -35,18 +37,21 @@ copy_project() {
 run_tests() {
 	local options=(-gdir=res://tests/unit "-gselect=test_$(basename "$2" .gd)")
 	case $2 in scripts/*/*) options=("-gdir=res://tests/unit/$(basename "$(dirname "$2")")") ;; esac
-	"$LAB_ROOT/tools/run_with_patience.sh" "$silence" \
-		"$godot" --headless --fixed-fps 60 --path "$1" -s addons/gut/gut_cmdln.gd -gdisable_colors "${options[@]}"
+	ulimit -S -t "$processor_seconds"
+	"$LAB_ROOT/tools/run_with_patience.sh" "$silence_seconds" "$godot" --headless --fixed-fps 60 --path "$1" \
+		-s addons/gut/gut_cmdln.gd -gdisable_colors "${options[@]}"
 }
 
 # verdict COPY FILE: what the tests say; the run is broken off at the first failure.
 verdict() {
-	local report=$1/build/test/report.txt said
+	local report=$1/build/test/report.txt status=0 said
 	rm -f "$report"
-	said=$(run_tests "$@" 2>/dev/null | awk -f "$LAB_ROOT/tools/mutants/first_failure.awk") || true
+	said=$(run_tests "$@" 2>/dev/null | awk -f "$LAB_ROOT/tools/mutants/first_failure.awk") || status=$?
 	if [ -z "$said" ] && [ -f "$report" ]; then
 		said=$(sed -n 's/^problem /killed by /p' "$report" | head -n 1)
 		said=${said:-SURVIVED}
+	elif [ -z "$said" ] && [ "$status" -eq $((128 + $(kill -l XCPU))) ]; then
+		said="killed by the time limit"
 	fi
 	printf '%s\n' "${said:-killed by the end of Godot}"
 }
