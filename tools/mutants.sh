@@ -60,13 +60,14 @@ try_mutant() {
 
 # try_share FIRST: every at_once-th mutant, a line each, in a copy of the project of its own.
 try_share() {
-	local copy=$folder/copy_$1 number kind file line title result
+	local number kind file line title result said
 	while IFS=$'\t' read -r number kind file line title; do
 		[ $((number % at_once)) -eq "$1" ] || continue
-		result=invalid
-		[ ! -f "$folder/$number" ] || result=$(try_mutant "$copy" "$number" "$file")
-		printf '%s\t%s\t%s\n' "$number" "$kind" "$result" >"$folder/$number.result"
-		printf '[%d/%d] %s, %s:%d, %s: %s\n' "$number" "$total" "$kind" "$file" "$line" "$title" "$result"
+		result="DOES NOT COMPILE"
+		[ ! -f "$folder/$number" ] || result=$(try_mutant "$folder/copy_$1" "$number" "$file")
+		said="$kind, $file:$line, $title: $result"
+		printf '%s\t%s\t%s\t%s\n' "$number" "$kind" "$result" "$said" >"$folder/$number.result"
+		printf '[%d/%d] %s\n' "$number" "$total" "$said"
 	done <"$folder/list.tsv"
 }
 

@@ -41,6 +41,8 @@ func _write_all(mutants: MutantList) -> void:
 
 ## Those whose kind, file, line and title hold the pattern.
 func _wanted(kind: String, mutants: Array[Mutant]) -> Array[Mutant]:
+	if _pattern == "":
+		return mutants
 	return mutants.filter(
 		func(mutant: Mutant) -> bool: return _about(kind, mutant).containsn(_pattern)
 	)
