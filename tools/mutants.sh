@@ -36,7 +36,7 @@ run_tests() {
 	local options=(-gdir=res://tests/unit "-gselect=test_$(basename "$2" .gd)")
 	case $2 in scripts/*/*) options=("-gdir=res://tests/unit/$(basename "$(dirname "$2")")") ;; esac
 	"$LAB_ROOT/tools/run_with_patience.sh" "$silence" \
-		"$godot" --headless --path "$1" -s addons/gut/gut_cmdln.gd -gdisable_colors "${options[@]}"
+		"$godot" --headless --fixed-fps 60 --path "$1" -s addons/gut/gut_cmdln.gd -gdisable_colors "${options[@]}"
 }
 
 # verdict COPY FILE: what the tests say; the run is broken off at the first failure.

@@ -6,8 +6,9 @@ const Mutant := preload("res://tools/mutants/mutant.gd")
 const Replacement := preload("res://tools/mutants/replacement.gd")
 const SmallChanges := preload("res://tools/mutants/small_changes.gd")
 
+## The first and the last number of those that can be made.
 const FIRST_MISTAKE := 1
-const LAST_MISTAKE := 23
+const LAST_MISTAKE := 24
 
 var mutants := MutantList.new()
 

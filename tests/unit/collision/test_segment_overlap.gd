@@ -23,6 +23,17 @@ func test_beyond_an_end_the_nearest_point_is_that_end() -> void:
 	assert_vec2(overlap.position, Vec2.new(30.0, 50.0), 1e-12)
 
 
+func test_the_ends_themselves_belong_to_the_line() -> void:
+	var level := LineSegment.new(Vec2.new(-100, 0), Vec2.new(100, 0))
+	for x: float in [-100.0, 100.0]:
+		var overlap := SegmentOverlap.with_segment(Vec2.new(x, 5), 10.0, level)
+		assert_eq(overlap.feature, Impact.Feature.LINE)
+
+
+func test_the_frame_is_over_when_it_is_looked_at() -> void:
+	assert_eq(SegmentOverlap.with_segment(Vec2.new(15, 20), 10.0, _line).time, 1.0)
+
+
 func test_touching_is_not_overlapping() -> void:
 	assert_false(SegmentOverlap.with_segment(Vec2.new(-10.0, 0.0), 10.0, _line).hit)
 
