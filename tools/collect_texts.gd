@@ -72,7 +72,8 @@ static func _texts_in(path: String) -> PackedStringArray:
 			return _texts_in_scene((load(path) as PackedScene).get_state())
 		"tres":
 			var lesson := load(path) as LessonInfo
-			return [lesson.title, lesson.summary] if lesson else PackedStringArray()
+			if lesson:
+				return [lesson.title, lesson.summary]
 	return []
 
 

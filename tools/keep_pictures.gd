@@ -3,9 +3,9 @@ extends SceneTree
 ## card.
 ## Usage: godot --headless --path . -s tools/keep_pictures.gd
 
-const CARD_SIZE := Vector2i(480, 270)
-## The middle of the board, without the panel: what can be told apart on a card.
-const BOARD := Rect2i(0, 138, 830, 467)
+const CARD_SIZE := Vector2i(480, 364)
+## The board, without the panel: what can be told apart on a card.
+const BOARD := Rect2i(0, 56, 830, 630)
 
 
 func _init() -> void:

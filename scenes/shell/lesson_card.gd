@@ -2,7 +2,7 @@ class_name LessonCard
 extends Button
 ## A lesson on the start screen: picture, number, title and one line.
 
-const _LOWEST := 330.0
+const _LOWEST := 336.0
 
 @onready var _margin: MarginContainer = $Margin
 

@@ -1,6 +1,6 @@
 extends RefCounted
-## All mutants in three lists, and what of the written lists does not fit. The small changes are made
-## in scripts/vec2.gd and scripts/collision/.
+## All mutants in three lists, and what of the written lists does not fit. The small changes are
+## made in scripts/vec2.gd and scripts/collision/.
 
 const Mutant := preload("mutant.gd")
 const Replacement := preload("replacement.gd")

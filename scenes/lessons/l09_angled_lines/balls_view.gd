@@ -3,9 +3,6 @@ extends BoardPart
 ## All balls of a world in their true size, drawn in one go; where it shows a mistake, outlines with
 ## a cross.
 
-# Smooth edges cost time: more balls than this do without.
-const _MOST_SMOOTH := 20
-
 ## Colour of the balls.
 @export var role := Palette.Role.A
 ## Outlines with a cross: the balls that a mistake moves.
@@ -39,10 +36,11 @@ func _draw() -> void:
 func _draw_ball(middle: Vector2, pixels: float, color: Color) -> void:
 	if is_wrong:
 		var arm := Vector2(pixels, pixels) * 0.5
-		draw_circle(middle, pixels, color, false, 2.5, _world.balls.size() <= _MOST_SMOOTH)
+		draw_circle(middle, pixels, color, false, 2.5, true)
 		draw_line(middle - arm, middle + arm, color, 2.0)
 		draw_line(middle + Vector2(arm.x, -arm.y), middle + Vector2(-arm.x, arm.y), color, 2.0)
 	else:
-		var is_smooth := _world.balls.size() <= _MOST_SMOOTH
-		draw_circle(middle, pixels, color, true, -1.0, is_smooth)
-		draw_circle(middle, pixels - 2.5, color.lerp(Palette.PAPER, 0.7), true, -1.0, is_smooth)
+		# The rim lies inside the ball, so that its edge is where the ball ends.
+		var radius := maxf(pixels - DotTexture.RIM / 2.0, 1.0)
+		var disc := DotTexture.of(color.lerp(Palette.PAPER, 0.7), color, snappedf(radius, 0.25))
+		draw_texture(disc, middle - disc.get_size() / 2.0)

@@ -88,8 +88,8 @@ func _draw() -> void:
 		draw_arc(middle, dot_radius + 9.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
 	elif _is_hovered or _is_dragged:
 		draw_circle(middle, dot_radius + 9.0, Color(color, 0.2), true, -1.0, true)
-	draw_circle(middle, dot_radius, Palette.PAPER, true, -1.0, true)
-	draw_circle(middle, dot_radius, color, false, 3.0, true)
+	var dot := DotTexture.of(Palette.PAPER, color, dot_radius)
+	draw_texture(dot, middle - dot.get_size() / 2.0)
 
 
 func _gui_input(event: InputEvent) -> void:
