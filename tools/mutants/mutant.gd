@@ -21,8 +21,8 @@ func _init(of_file: String, with_title: String, at_line: int, with_code: String)
 	code = with_code
 
 
-## Whether Godot compiles it. Needs a process in which nothing of the file is in use; the file is
-## put back as it was.
+## Whether Godot compiles it. The process must not use any object of the file's class; afterwards
+## the class is as it was.
 func compiles() -> bool:
 	var script: GDScript = load("res://" + file)
 	var right_code := script.source_code

@@ -27,16 +27,17 @@ func _init() -> void:
 	var mutants := MutantList.new()
 	if mutants.problems.is_empty():
 		_write_all(mutants)
-	for problem: String in mutants.problems:
-		print("problem " + problem)
+	for line: String in "\n".join(mutants.problems).split("\n", false):
+		print("problem " + line)
 	quit(mini(mutants.problems.size(), 1))
 
 
 func _write_all(mutants: MutantList) -> void:
 	var others := _wanted("other", mutants.others)
 	_write("named", _wanted("named", mutants.named))
-	_write("equivalent", _wanted("equivalent", mutants.equivalent))
 	_write("other", _evenly_chosen(others) if _is_quick else others)
+	if not _is_quick:
+		_write("equivalent", _wanted("equivalent", mutants.equivalent))
 
 
 ## Those whose kind, file, line and title hold the pattern.
