@@ -23,7 +23,8 @@ static func with_line(old_position: Vec2, motion: Vec2, radius: float, line: Lin
 		return Impact.miss(Impact.Outcome.PARALLEL)
 	if approach < 0.0:
 		return Impact.miss(Impact.Outcome.MOVING_AWAY)
-	var time := maxf(share(old_distance, old_distance - approach, radius), 0.0)
+	# a / b as in the slide; b is known before it is lost in the difference of two large distances.
+	var time := maxf((old_distance - radius) / approach, 0.0)
 	if time > 1.0:
 		return Impact.miss(Impact.Outcome.TOO_FAR)
 	var position := old_position.plus(motion.scaled(time))

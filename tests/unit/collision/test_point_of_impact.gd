@@ -113,6 +113,18 @@ func test_a_touching_ball_that_hardly_moves_has_a_finite_time() -> void:
 	assert_eq(impact.time, 0.0)
 
 
+# The motion is so small against the distance that old - new, computed, is 3 steps of 2^-23 for 2.6.
+func test_the_time_is_right_for_a_motion_that_is_small_against_the_distance() -> void:
+	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
+	var gap := 2.0 ** 30 - (2.0 ** 30 - 1.0 / 2.0 ** 22)
+	var motion := Vec2.new(0, 1.3 * gap)
+	var impact := PointOfImpact.with_line(
+		Vec2.new(0, -(2.0 ** 30)), motion, 2.0 ** 30 - gap, floor_line
+	)
+	assert_true(impact.hit)
+	assert_almost_eq(impact.time, 1.0 / 1.3, 1e-15)
+
+
 func test_a_ball_at_rest_hits_nothing() -> void:
 	var impact := PointOfImpact.with_line(Vec2.new(3, -4), Vec2.zero(), RADIUS, line)
 	assert_false(impact.hit)
