@@ -32,7 +32,7 @@ var _question: Question
 @onready var _a: DraggableVector = %A
 @onready var _b: DraggableVector = %B
 @onready var _plot: Plot = %Plot
-@onready var _verdict: SignVerdict = %Verdict
+@onready var _verdict: VerdictCard = %Verdict
 
 
 func start() -> void:
@@ -194,9 +194,16 @@ func _show_all() -> void:
 func _show_model() -> void:
 	_drawing.show_model(_model, _step)
 	_formula.show_model(_model, _step)
-	_verdict.show_model(_model)
+	_show_verdict()
 	_show_plot()
 	_show_readout()
+
+
+# With the course's ball: green ahead, red behind.
+func _show_verdict() -> void:
+	var roles: Array[Palette.Role] = [Palette.Role.WRONG, Palette.Role.QUIET, Palette.Role.RIGHT]
+	var sign_text: String = [NumberText.MINUS, "0", "+"][_model.side() + 1]
+	_verdict.show_verdict(sign_text, roles[_model.side() + 1], DotProductTexts.verdict(_model))
 
 
 func _show_plot() -> void:

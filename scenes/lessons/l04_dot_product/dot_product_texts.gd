@@ -29,6 +29,13 @@ static func sentences(model: DotProductModel) -> PackedStringArray:
 	return found
 
 
+## Two lines on the scalar projection: its size, and what its sign says, or how much too big it is
+## without normalizing.
+static func verdict(model: DotProductModel) -> PackedStringArray:
+	var scalar := NumberText.short(model.scalar_projection())
+	return [_translate("Scalar projection %s") % scalar, _verdict_on_sign(model)]
+
+
 ## The formula lines of all steps up to [param step], counted from 0.
 static func lines(model: DotProductModel, step: int) -> PackedStringArray:
 	var found: PackedStringArray = []
@@ -36,6 +43,18 @@ static func lines(model: DotProductModel, step: int) -> PackedStringArray:
 	for i in step + 1:
 		found.append_array(groups[i])
 	return found
+
+
+static func _verdict_on_sign(model: DotProductModel) -> String:
+	if not model.normalizes:
+		var times := NumberText.short(model.onto().length())
+		return _translate("wrong: |%s| = %s times too big") % [onto_symbol(model), times]
+	var by_sign: PackedStringArray = [
+		_translate("negative: the angle is above 90°"),
+		_translate("zero: no shadow at all"),
+		_translate("positive: the angle is below 90°"),
+	]
+	return by_sign[model.side() + 1]
 
 
 static func _right_sentences() -> PackedStringArray:

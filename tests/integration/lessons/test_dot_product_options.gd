@@ -69,7 +69,7 @@ func test_the_sign_stands_in_the_ball_as_well_as_its_colour() -> void:
 	var signs: Dictionary[String, String] = {"Lecture": "+", "Right angle": "0", "Obtuse": "−"}
 	for preset: String in signs:
 		await click_button(preset)
-		assert_eq((frame().lesson.get_node("%Sign") as Label).text, signs[preset])
+		assert_eq((frame().lesson.get_node("%Verdict/%Sign") as Label).text, signs[preset])
 
 
 func test_dragging_on_the_graph_turns_a_and_keeps_its_length() -> void:
