@@ -11,7 +11,7 @@ extends RefCounted
 ## then perhaps downwards, then upwards again; a quadratic gives the two times between. In a part
 ## bent upwards Newton's method runs up to the root from the left, in one bent downwards from the
 ## right, and never past it: so what it finds is the first root, and there is none where the slope
-## turns round on the way. What rounding hides is settled by [GrazingEntry] and [ExactPath].
+## turns round on the way. What rounding hides is settled by [GrazingEntry] and [ExactParabola].
 ## [br][br]
 ## A search makes one of these, sets the flight once and calls it for each point: nothing is
 ## allocated, and all numbers are plain. The results mean nothing after a call that returned false.
@@ -105,7 +105,7 @@ func _starts_inside(cx: float, cy: float) -> bool:
 	var gap := squared - _squared_radius
 	if absf(gap) > NOISE * squared:
 		return gap <= 0.0
-	return _exact_path().squared_gap(cx, cy, _radius, 0.0) <= 0.0
+	return _exact_parabola().squared_gap(cx, cy, _radius, 0.0) <= 0.0
 
 
 # The first time between `from` and `to` at which a ball that is outside at `from` enters the circle
@@ -246,5 +246,5 @@ func _touches_point_at(seconds: float, cx: float, cy: float, horizon: float) -> 
 	return true
 
 
-func _exact_path() -> ExactPath:
-	return ExactPath.new(_px, _py, _vx, _vy, _gx, _gy)
+func _exact_parabola() -> ExactParabola:
+	return ExactParabola.new(_px, _py, _vx, _vy, _gx, _gy)

@@ -2,7 +2,7 @@ class_name GrazingEntry
 extends RefCounted
 ## When a ball enters a circle that its path nearly grazes, so nearly that rounding hides whether it
 ## gets in at all: from the lowest point of the quartic |d + v t + g t² / 2|² - r², written out anew
-## about that point with [ExactPath].
+## about that point with [ExactParabola].
 ##
 ## Slow, and needed only in one flight of many millions.
 
@@ -38,7 +38,7 @@ static func time(
 		uy = vy + lowest * gy
 		bend = ux * ux + uy * uy + x * gx + y * gy
 		lowest -= (x * ux + y * uy) / bend
-	var exact := ExactPath.new(px, py, vx, vy, gx, gy)
+	var exact := ExactParabola.new(px, py, vx, vy, gx, gy)
 	var growth := exact.growth(cx, cy, lowest)
 	var height := exact.squared_gap(cx, cy, radius, lowest)
 	var depth := growth * growth / bend - height

@@ -1,4 +1,4 @@
-class_name ExactPath
+class_name ExactParabola
 extends RefCounted
 ## The path of a ball under constant acceleration to about 100 bits: settles what plain numbers
 ## cannot, such as whether a ball that nearly grazes a line touches it.
