@@ -36,7 +36,7 @@ func _fly(count: int) -> void:
 	await frames.begin(rate)
 	var empty := await frames.empty_step()
 	_space = PeerSpace.new(_host)
-	_space.add_walls(BallInBox.walls(), true)
+	_space.add_walls(BallInBox.walls(), false)
 	_body = _space.add_rigid_ball(BallInBox.ball(speed), _mode).get_rid()
 	var spent := await frames.pass_by(count, _read)
 	frames.end()
