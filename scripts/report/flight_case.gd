@@ -40,7 +40,8 @@ func run_once() -> void:
 		spent += _spent
 		flights += 1
 		if runs() == 0 and flights == 1:
-			_find_error()
+			@warning_ignore("redundant_await")
+			await _find_error()
 		_clear()
 	keep_run(spent / flights / seconds)
 
@@ -54,7 +55,7 @@ func run_once() -> void:
 @abstract func _fly(count: int) -> void
 
 
-## Finds how wrong the end is, once.
+## Finds how wrong the end is, once; may have to be awaited.
 @abstract func _find_error() -> void
 
 

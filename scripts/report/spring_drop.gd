@@ -16,9 +16,9 @@ var _damping: float
 ## A floor of this stiffness.
 func _init(with_stiffness: float, with_bounciness: float, at_rate: int) -> void:
 	super(with_bounciness, at_rate)
-	method = "penalty spring"
+	method = "penalty spring, %d Hz" % at_rate
 	stiffness = with_stiffness
-	tuning += ", %s 1/s^2" % exponent_text(stiffness)
+	tuning = exponent_text(stiffness) + " 1/s^2"
 	_damping = 2.0 * damping_share(bounciness) * sqrt(stiffness)
 
 
