@@ -14,6 +14,7 @@ const EVENT_WORLD := "event world"
 
 func _init() -> void:
 	id = "ball_in_box"
+	champion = EVENT_WORLD
 	title = "One ball in a box"
 	question = (
 		"A ball of 10 px radius in a box of 600 x 400 px, without gravity, C = 1, read after each"

@@ -7,9 +7,6 @@ extends RefCounted
 const NONE_TEXT := "none"
 
 const _SUPERSCRIPTS := "⁰¹²³⁴⁵⁶⁷⁸⁹"
-# So many decades have a label each; with more, every second or third has.
-const _MOST_LABELS := 8
-
 ## The power of ten at which the decades begin.
 var first := 0
 ## The power of ten at which they end, above [member first].
@@ -44,12 +41,13 @@ func place(value: float) -> float:
 	return (_power(value) - first + _rows_below()) / _length()
 
 
-## The values that have a mark and a label.
-func ticks() -> PackedFloat64Array:
+## The values that have a mark and a label. Where there would be more than [param most] decades, every
+## second or third has one.
+func ticks(most: int) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	if has_zero:
 		found.append(0.0)
-	var stride := ceili(float(last - first) / _MOST_LABELS)
+	var stride := ceili(float(last - first) / most)
 	for power in range(first, last + 1, stride):
 		found.append(10.0 ** power)
 	if has_none:

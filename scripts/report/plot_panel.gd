@@ -55,11 +55,11 @@ func _draw_settings(picture: SvgText, rows: Array[Measurement], marker: PlotMark
 func _draw_field(picture: SvgText) -> void:
 	var grid := SvgText.hex(Palette.GRID)
 	var ink := _color(Palette.Role.QUIET)
-	for tick in times.ticks():
+	for tick in times.ticks(floori(width / 50.0)):
 		var x := left + width * times.place(tick)
 		picture.line(x, top, x, top + height, grid)
 		picture.text(LogAxis.label(tick), x, top + height + 22.0, _SMALL, ink, "middle")
-	for tick in errors.ticks():
+	for tick in errors.ticks(floori(height / 32.0)):
 		var y := top + height * (1.0 - errors.place(tick))
 		picture.line(left, y, left + width, y, grid)
 		picture.text(LogAxis.label(tick), left - 8.0, y + 6.0, _SMALL, ink, "end")

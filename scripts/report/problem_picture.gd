@@ -53,8 +53,10 @@ static func in_situation(situation: String, rows: Array[Measurement]) -> Array[M
 
 
 static func _columns(count: int) -> int:
-	# Four stand better two by two.
-	return 2 if count == 4 else mini(count, _MOST_COLUMNS)
+	# Four stand better two by two; more than six would need too many rows.
+	if count == 4:
+		return 2
+	return mini(count, _MOST_COLUMNS if count <= 2 * _MOST_COLUMNS else _MOST_COLUMNS + 1)
 
 
 static func _values(rows: Array[Measurement], are_times: bool) -> PackedFloat64Array:

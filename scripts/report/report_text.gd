@@ -47,7 +47,7 @@ static func _problem(problem: ReportProblem, rows: Array[Measurement]) -> String
 	var situations: PackedStringArray = []
 	for situation in ProblemPicture.situations_in(rows):
 		var rows_there := ProblemPicture.in_situation(situation, rows)
-		situations.append(SituationText.of(situation, rows_there))
+		situations.append(SituationText.of(situation, rows_there, problem.champion))
 	parts.append("\n".join(situations))
 	var more := problem.remarks(rows)
 	if more:

@@ -25,7 +25,7 @@ func _init() -> void:
 	var measurements: Array[Measurement] = []
 	for problem: ReportProblem in problems:
 		measurements.append_array(await Runner.measure(problem, _is_quick, root))
-	ReportFiles.write(problems, measurements)
+	ReportFiles.write(problems, measurements, " --quick" if _is_quick else "")
 	quit()
 
 
