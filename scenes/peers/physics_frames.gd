@@ -21,9 +21,7 @@ func _init(tree: SceneTree) -> void:
 ## there from its first step on. Until then nothing may be there that moves.
 func begin(rate: int) -> void:
 	Engine.physics_ticks_per_second = rate
-	Engine.max_physics_steps_per_frame = maxi(
-		_USUAL_MOST_STEPS, ceili(2.0 * rate / _USUAL_RATE)
-	)
+	Engine.max_physics_steps_per_frame = maxi(_USUAL_MOST_STEPS, ceili(2.0 * rate / _USUAL_RATE))
 	await _tree.physics_frame
 	await _tree.physics_frame
 	_empty = 0.0

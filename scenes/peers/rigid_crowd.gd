@@ -64,6 +64,4 @@ func _turn_round() -> void:
 		var velocity: Vector2 = PhysicsServer2D.body_get_state(
 			body, PhysicsServer2D.BODY_STATE_LINEAR_VELOCITY
 		)
-		PhysicsServer2D.body_set_state(
-			body, PhysicsServer2D.BODY_STATE_LINEAR_VELOCITY, -velocity
-		)
+		PhysicsServer2D.body_set_state(body, PhysicsServer2D.BODY_STATE_LINEAR_VELOCITY, -velocity)

@@ -29,9 +29,7 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 		for rate in rates(shot, is_quick):
 			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
 			found.append(
-				EventFlight.new(
-					EventFlight.Form.GRID, "event world, walls as segments", shot, rate
-				)
+				EventFlight.new(EventFlight.Form.GRID, "event world, walls as segments", shot, rate)
 			)
 			for way in SteppedFlight.METHODS:
 				found.append(SteppedFlight.new(way, shot, rate))

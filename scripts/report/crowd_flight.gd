@@ -34,7 +34,6 @@ static func situation_of(count: int) -> String:
 ## x, y of the velocity of each ball.
 @abstract func _velocities() -> PackedFloat64Array
 
-
 ## Reverses all velocities.
 @abstract func _turn_round() -> void
 

@@ -16,8 +16,10 @@ func _init() -> void:
 	champion = EventDrop.METHOD
 	title = "A dropped ball, for a minute"
 	question = (
-		"A ball is dropped from %d px at %d px/s^2; after %d s its height is compared with the exact"
-		% [DroppedBall.HEIGHT, DroppedBall.GRAVITY, DroppedBall.SECONDS]
+		(
+			"A ball is dropped from %d px at %d px/s^2; after %d s its height is compared with the exact"
+			% [DroppedBall.HEIGHT, DroppedBall.GRAVITY, DroppedBall.SECONDS]
+		)
 		+ " one. Penalty springs of growing stiffness push it out of the floor."
 	)
 	error_axis = "error of the height, px"

@@ -69,11 +69,9 @@ func _tear_down() -> void:
 ## Puts everything to the start; takes no part of the time, and may have to be awaited.
 @abstract func _prepare() -> void
 
-
 ## Makes so many steps, reads after each where things are, and sets how long it took; may have to
 ## be awaited.
 @abstract func _fly(count: int) -> void
-
 
 ## Finds how wrong the end is, once; may have to be awaited.
 @abstract func _find_error() -> void

@@ -31,7 +31,9 @@ func draw(
 	_draw_frontier(picture, Frontier.of(rows))
 	for row in rows:
 		var words := "%s, %s" % [row.method, row.setting]
-		words += ": %s µs, %s %s" % [FigureText.short(row.run_time_us), FigureText.of(row), row.note]
+		words += (
+			": %s µs, %s %s" % [FigureText.short(row.run_time_us), FigureText.of(row), row.note]
+		)
 		picture.add(markers[row.method].element(_x(row), _y(row), 6.5, words))
 
 

@@ -43,7 +43,9 @@ static func _box_ratio(rows: Array[Measurement], speed: float) -> ReportGoal:
 		if shot.situation.begins_with("%d px/s," % speed):
 			for form: String in ["segments", "concave shape"]:
 				var peer := _time(rows, "move_and_collide, " + form, shot.situation)
-				least = minf(least, peer / _time(rows, BallInBoxProblem.EVENT_WORLD, shot.situation))
+				least = minf(
+					least, peer / _time(rows, BallInBoxProblem.EVENT_WORLD, shot.situation)
+				)
 	var bound := BOX_RATIOS[speed]
 	var goal := ReportGoal.new(
 		"one ball in the box, %d px/s: times faster than move_and_collide, both at 60 Hz" % speed,

@@ -18,7 +18,6 @@ var goes_on := false
 ## For so many seconds [method judge] wants to see the path, frame by frame; 0 if the end is enough.
 var path_seconds := 0.0
 
-
 ## Sets error, note and figures of [param case] by where the ball is at the end, in pixels, and by
 ## [param path]: x, y after each 60th of a second.
 @abstract func judge(case: MeasuredCase, end: Vec2, path: PackedFloat64Array) -> void

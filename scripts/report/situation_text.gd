@@ -61,9 +61,9 @@ static func _against(own: Measurement, peer: Measurement, words: String) -> Stri
 		return ""
 	var times := FigureText.ratio(peer.run_time_us, own.run_time_us)
 	var errors := FigureText.ratio(peer.error, own.error)
-	var text := " The %s, %s, takes %s times as long as %s" % [
-		words, name_of(peer), times, name_of(own)
-	]
+	var text := (
+		" The %s, %s, takes %s times as long as %s" % [words, name_of(peer), times, name_of(own)]
+	)
 	if errors == "-":
 		return text + " and is %s off." % FigureText.of(peer)
 	return text + " and is %s times as far off." % errors

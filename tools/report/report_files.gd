@@ -19,8 +19,10 @@ static func _circumstances(form: String) -> String:
 		form, Engine.get_version_info()["string"], OS.get_processor_name(), OS.get_processor_count()
 	]
 	return (
-		"Measured by `./lab report%s` with Godot %s, headless, in one process, on %s (%d threads)."
-		% facts
+		(
+			"Measured by `./lab report%s` with Godot %s, headless, in one process, on %s (%d threads)."
+			% facts
+		)
 		+ " A run time is the median of 5 runs; the runs of all methods take turns."
 	)
 
