@@ -1,7 +1,7 @@
 @abstract class_name CrowdFlight
 extends FlightCase
-## Many balls by one method, all of them read after each step: what a second of it takes; their worst
-## overlap, the drift of their energy, and how long a reversed run finds its way back.
+## Many balls by one method, all of them read after each step: what a second of it takes; their
+## worst overlap, the drift of their energy, and how long a reversed run finds its way back.
 
 ## Pixels. A reversed run is lost where the first ball is further off than this.
 const LOST := 1.0

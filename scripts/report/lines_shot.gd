@@ -60,7 +60,7 @@ func _init() -> void:
 	for i in range(0, _LINES.size(), 4):
 		var start := Vec2.new(_LINES[i], _LINES[i + 1])
 		segments.append(LineSegment.new(start, Vec2.new(_LINES[i + 2], _LINES[i + 3])))
-	path_seconds = 12.0
+	path_seconds = 20.0
 
 
 ## See [method Shot.judge]: the error is 1 over the number of bounces.

@@ -87,6 +87,6 @@ static func _draw_legend(
 		index += 1
 	var left := _MARGIN + (index % _LEGEND_COLUMNS) * column
 	var line := top + floorf(float(index) / _LEGEND_COLUMNS) * _LEGEND_ROW + 10.0
-	picture.path([left - 30.0, line, left + 10.0, line], ink, 2.5, PlotMarker.DASHES)
-	picture.add(PlotMarker.ring(left - 10.0, line))
-	picture.text("frontier: none is better in both", left + 18.0, line + 6.0, 18, ink)
+	picture.path([left - 10.0, line, left + 30.0, line], ink, 2.5, PlotMarker.DASHES)
+	picture.add(PlotMarker.ring(left + 10.0, line))
+	picture.text("frontier: none is better in both", left + 38.0, line + 6.0, 18, ink)

@@ -7,6 +7,20 @@ extends RefCounted
 const BOX_RATIOS: Dictionary[float, float] = {300.0: 2.5, 3000.0: 2.5, 30000.0: 1.5}
 ## Pixels after the long flight in the box.
 const BOX_ERROR := 1e-9
+## The growth of the time of a frame with the number of segments.
+const GROWTH := 0.05
+## How many times faster than the engine's concave shape.
+const SEGMENTS_RATIO := 3.0
+## From so many segments on.
+const SEGMENTS_FROM := 1024
+## So many balls are judged.
+const CROWD := 1000
+## How many times faster than RigidBody2D, by its rate.
+const CROWD_RATIOS: Dictionary[int, float] = {60: 1.0, 240: 3.0}
+## The drift of the energy of all balls, as a share of it.
+const CROWD_DRIFT := 1e-12
+## Pixels by which two balls may overlap.
+const CROWD_OVERLAP := 1e-9
 
 
 ## Every goal, judged where this run has measured what it needs.
@@ -16,6 +30,8 @@ static func of(measurements: Array[Measurement]) -> Array[ReportGoal]:
 	for speed in BOX_RATIOS:
 		found.append(_box_ratio(box, speed))
 	found.append(_box_error(box))
+	found.append_array(_segments(ReportText.of_problem("many_segments", measurements)))
+	found.append_array(_crowd(ReportText.of_problem("many_balls", measurements)))
 	return found
 
 
@@ -67,9 +83,60 @@ static func _box_error(rows: Array[Measurement]) -> ReportGoal:
 	return goal.at_most(worst, BOX_ERROR)
 
 
+static func _segments(rows: Array[Measurement]) -> Array[ReportGoal]:
+	var grid := ManySegmentsProblem.GRID
+	var least := INF
+	for count in ManySegmentsProblem.COUNTS:
+		if count >= SEGMENTS_FROM:
+			var own := ManySegmentsProblem.time_of(grid, count, rows)
+			var peer := "move_and_collide, concave shape"
+			least = minf(least, ManySegmentsProblem.time_of(peer, count, rows) / own)
+	var growth := ReportGoal.new(
+		"one ball among 64 to 16384 segments: growth exponent of the event world's frame",
+		"at most %s" % GROWTH
+	)
+	var ratio := ReportGoal.new(
+		"one ball among 1024 and 16384 segments: times faster a frame than the concave shape",
+		"at least %s" % SEGMENTS_RATIO
+	)
+	return [
+		growth.at_most(ManySegmentsProblem.growth(grid, rows), GROWTH),
+		ratio.at_least(least if is_finite(least) else NAN, SEGMENTS_RATIO),
+	]
+
+
+static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
+	var situation := CrowdFlight.situation_of(CROWD)
+	var own := _row(rows, EventCrowd.METHOD, situation, 60)
+	var found: Array[ReportGoal] = []
+	for rate in CROWD_RATIOS:
+		var peer := _row(rows, "RigidBody2D", situation, rate)
+		var bound := CROWD_RATIOS[rate]
+		var goal := ReportGoal.new(
+			"%d balls: times faster than RigidBody2D at %d Hz" % [CROWD, rate],
+			"at least %s" % bound
+		)
+		found.append(
+			goal.at_least(peer.run_time_us / own.run_time_us if own and peer else NAN, bound)
+		)
+	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
+	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")
+	found.append(drift.at_most(own.figures["energy drift"] if own else NAN, CROWD_DRIFT))
+	found.append(overlap.at_most(own.error if own else NAN, CROWD_OVERLAP))
+	return found
+
+
+# The measurement of a method at a rate; null where there is none.
+static func _row(
+	rows: Array[Measurement], method: String, situation: String, rate: int
+) -> Measurement:
+	for row in rows:
+		if row.method == method and row.situation == situation and row.tuning == "%d Hz" % rate:
+			return row
+	return null
+
+
 # The run time of a method at 60 Hz; NaN where it was not measured.
 static func _time(rows: Array[Measurement], method: String, situation: String) -> float:
-	for row in rows:
-		if row.method == method and row.situation == situation and row.tuning == "60 Hz":
-			return row.run_time_us
-	return NAN
+	var row := _row(rows, method, situation, 60)
+	return row.run_time_us if row else NAN
