@@ -3,7 +3,7 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "$0")/common.sh"
-# shellcheck source=screen.sh
+# shellcheck source-path=SCRIPTDIR source=screen.sh
 . "$(dirname "$0")/screen.sh"
 
 names() { find "$LAB_ROOT/benchmarks" -maxdepth 1 -name '*.gd' 2>/dev/null | sed 's:.*/::; s:\.gd$::' | sort | tr '\n' ' '; }

@@ -4,7 +4,7 @@
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "$0")/common.sh"
-# shellcheck source=screen.sh
+# shellcheck source-path=SCRIPTDIR source=screen.sh
 . "$(dirname "$0")/screen.sh"
 
 [ $# -ge 2 ] || die 2 "usage: tools/draw.sh GODOT NAME..."

@@ -6,6 +6,9 @@ extends BoardPart
 ## It stands still while balls move, so it is drawn once into a picture, and again when the view
 ## changes: without a graphics card its many thin lines and numbers would take a tenth of a frame.
 
+# The picture hides all below it; mixing the two would cost as much again.
+const _OPAQUE := "shader_type canvas_item; render_mode unshaded, blend_disabled;"
+
 ## Also draw the axes with their numbers, not just the lines.
 @export var axes := true
 
@@ -19,6 +22,10 @@ func _ready() -> void:
 	_canvas.disable_3d = true
 	_canvas.size_2d_override_stretch = true
 	add_child(_canvas)
+	var opaque := ShaderMaterial.new()
+	opaque.shader = Shader.new()
+	opaque.shader.code = _OPAQUE
+	material = opaque
 	board.has_paper = false
 	board.view_changed.connect(_draw_again)
 	get_viewport().size_changed.connect(_draw_again)
