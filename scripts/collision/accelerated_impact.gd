@@ -65,9 +65,9 @@ func with_segment(ax: float, ay: float, bx: float, by: float, horizon: float) ->
 	var far := _height + reach
 	var noise := NOISE * (absf(_ex * dy) + absf(_ey * dx) + reach)
 	if absf(near) <= noise:
-		near = _exact_path().line_gap(ax, ay, bx, by, _radius, _side)
+		near = _exact_parabola().line_gap(ax, ay, bx, by, _radius, _side)
 	if absf(far) <= noise:
-		far = _exact_path().line_gap(ax, ay, bx, by, -_radius, _side)
+		far = _exact_parabola().line_gap(ax, ay, bx, by, -_radius, _side)
 	_along = _ex * dx + _ey * dy
 	_along_speed = _ex * _vx + _ey * _vy
 	_along_pull = _ex * _gx + _ey * _gy
@@ -109,14 +109,14 @@ func _meets_in_strip(near: float, far: float, horizon: float) -> bool:
 	var far_root := squared_climb - 2.0 * _pull * far
 	var noise := _noise_of_roots()
 	if absf(near_root) <= noise:
-		near_root = _exact_path().line_discriminant(_ax, _ay, _bx, _by, _radius, _side)
+		near_root = _exact_parabola().line_discriminant(_ax, _ay, _bx, _by, _radius, _side)
 	if near_root <= 0.0:
 		# Beside the strip for ever, or gliding along in it for ever.
 		if _pull > 0.0 or _climb != 0.0 or near > 0.0 or far < 0.0:
 			return false
 		return _meets_between(-1.0, INF, 0.0, horizon)
 	if absf(far_root) <= noise:
-		far_root = _exact_path().line_discriminant(_ax, _ay, _bx, _by, -_radius, _side)
+		far_root = _exact_parabola().line_discriminant(_ax, _ay, _bx, _by, -_radius, _side)
 	var near_speed := sqrt(near_root)
 	var falls := -1.0
 	var leaves := INF

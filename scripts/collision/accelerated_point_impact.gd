@@ -11,7 +11,7 @@ extends RefCounted
 ## perhaps downwards, then upwards again; a quadratic gives the times between. Newton's method runs
 ## up to the root from the left where it is bent upwards, from the right where downwards, and never
 ## past it: it finds the first root, and there is none where the slope turns round on the way. What
-## rounding hides is settled by [GrazingEntry] and [ExactPath].
+## rounding hides is settled by [GrazingEntry] and [ExactParabola].
 ## [br][br]
 ## A search makes one of these, sets the flight once and calls it for each point: nothing is
 ## allocated, and all numbers are plain. The results mean nothing after a call that returned false.
@@ -104,7 +104,7 @@ func _starts_inside(cx: float, cy: float) -> bool:
 	var squared := dx * dx + dy * dy
 	if absf(squared - _squared_radius) > NOISE * squared:
 		return squared <= _squared_radius
-	return _exact_path().squared_gap(cx, cy, _radius, 0.0) <= 0.0
+	return _exact_parabola().squared_gap(cx, cy, _radius, 0.0) <= 0.0
 
 
 # The first time between `from` and `to` at which a ball that is outside at `from` enters the circle
@@ -245,5 +245,5 @@ func _touches_point_at(seconds: float, cx: float, cy: float, horizon: float) -> 
 	return true
 
 
-func _exact_path() -> ExactPath:
-	return ExactPath.new(_px, _py, _vx, _vy, _gx, _gy)
+func _exact_parabola() -> ExactParabola:
+	return ExactParabola.new(_px, _py, _vx, _vy, _gx, _gy)

@@ -2,11 +2,11 @@ class_name GrazingEntry
 extends RefCounted
 ## When a ball enters a circle that its path nearly grazes, so nearly that rounding hides whether it
 ## gets in at all, or out before it gets in again: from the turning point of the quartic
-## |d + v t + g t² / 2|² - r², written out anew about that point with [ExactPath].
+## |d + v t + g t² / 2|² - r², written out anew about that point with [ExactParabola].
 ##
 ## Slow, and needed only in one flight of many millions.
 
-## [ExactPath] tells a height from 0 only when it is above this, times the terms it is made of; a
+## [ExactParabola] tells a height from 0 only when it is above this, times the terms it is made of; a
 ## path that grazes to so many digits stays on its side.
 const _EXACT_NOISE := 1.0 / 2.0 ** 98
 
@@ -42,7 +42,7 @@ static func time(
 		uy = vy + turning * gy
 		bend = ux * ux + uy * uy + x * gx + y * gy
 		turning -= (x * ux + y * uy) / bend
-	var exact := ExactPath.new(px, py, vx, vy, gx, gy)
+	var exact := ExactParabola.new(px, py, vx, vy, gx, gy)
 	var growth := exact.growth(cx, cy, turning)
 	var height := exact.squared_gap(cx, cy, radius, turning)
 	var to_vertex := -growth / bend
