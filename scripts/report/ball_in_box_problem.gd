@@ -1,0 +1,52 @@
+class_name BallInBoxProblem
+extends ReportProblem
+## The second problem: one elastic ball in a box, for each method, speed, length and step.
+
+## Pixels per second.
+const SPEEDS: PackedFloat64Array = [300.0, 3000.0, 30000.0]
+## Seconds of the short flight.
+const SHORT := 10.0
+## Seconds of the long flight.
+const LONG := 100.0
+## The method that is to be the best one.
+const EVENT_WORLD := "event world"
+
+
+func _init() -> void:
+	id = "ball_in_box"
+	champion = EVENT_WORLD
+	title = "One ball in a box"
+	question = (
+		"A ball of 10 px radius in a box of 600 x 400 px, without gravity, C = 1, read after each"
+		+ " step. The error is how far it ends from the exact place, which unfolding tells."
+	)
+
+
+## See [method ReportProblem.cases].
+func cases(is_quick: bool) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for shot in shots():
+		for rate in rates(shot, is_quick):
+			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
+			found.append(
+				EventFlight.new(EventFlight.Form.GRID, "event world, walls as segments", shot, rate)
+			)
+			for way in SteppedFlight.METHODS:
+				found.append(SteppedFlight.new(way, shot, rate))
+	return found
+
+
+## All flights: the short ones, then the long ones.
+static func shots() -> Array[Shot]:
+	var found: Array[Shot] = []
+	for seconds: float in [SHORT, LONG]:
+		for speed in SPEEDS:
+			found.append(BoxShot.new(speed, seconds))
+	return found
+
+
+## How many steps a second are tried: few where a flight would take too long.
+static func rates(shot: Shot, is_quick: bool) -> PackedInt32Array:
+	if shot.seconds == LONG:
+		return [60] if is_quick else [60, 240, 960]
+	return [60, 240] if is_quick else [60, 240, 960, 3840]

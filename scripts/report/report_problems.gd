@@ -1,0 +1,16 @@
+class_name ReportProblems
+extends RefCounted
+## The problems of the report, in their order.
+
+
+## Fresh ones.
+static func all() -> Array[ReportProblem]:
+	return [
+		ScalarProjectionProblem.new(),
+		BallInBoxProblem.new(),
+		AngledLinesProblem.new(),
+		ManySegmentsProblem.new(),
+		DroppedBallProblem.new(),
+		ManyBallsProblem.new(),
+		DigitsOfPiProblem.new(),
+	]

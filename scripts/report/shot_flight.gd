@@ -1,0 +1,48 @@
+@abstract class_name ShotFlight
+extends FlightCase
+## The flight of one ball by one method, read after every step: where it ends, and what it takes.
+
+const _FRAMES_PER_SECOND := 60
+
+## What is flown.
+var shot: Shot
+
+# Where the ball was seen last: each step reads its place, as a game does that draws it.
+var _x := 0.0
+var _y := 0.0
+
+
+## A flight of this shot in so many steps a second: 60 or a multiple of it.
+func _init(of_shot: Shot, at_rate: int) -> void:
+	super(of_shot.seconds, at_rate)
+	shot = of_shot
+	problem = shot.problem
+	situation = shot.situation
+
+
+## A run of a shot that goes on begins where the last one has ended.
+func run_once() -> void:
+	if not shot.goes_on:
+		@warning_ignore("redundant_await")
+		await super()
+		return
+	if runs() == 0:
+		@warning_ignore("redundant_await")
+		await _find_error()
+	@warning_ignore("redundant_await")
+	await _fly(steps)
+	keep_run(_spent / seconds)
+
+
+func _find_error() -> void:
+	var end := Vec2.new(_x, _y)
+	var path: PackedFloat64Array = []
+	if shot.path_seconds > 0.0:
+		@warning_ignore("redundant_await")
+		await _set_up()
+		for frame in roundi(shot.path_seconds * _FRAMES_PER_SECOND):
+			@warning_ignore("redundant_await")
+			await _fly(floori(float(rate) / _FRAMES_PER_SECOND))
+			path.append(_x)
+			path.append(_y)
+	shot.judge(self, end, path)
