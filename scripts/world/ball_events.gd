@@ -31,10 +31,6 @@ func _happen(index: int) -> void:
 		return
 	var kind := _event_kind[index]
 	if kind == TOUCH:
-		if _touched[index] < NOTHING:
-			if _gravity_x == 0.0 and _gravity_y == 0.0 and not keeps_events:
-				_bounce_off_wall(index)
-				return
 		_bounce(index)
 		_forecast(index)
 	elif kind == MEET:
@@ -116,12 +112,14 @@ func _bounce_off_wall(index: int) -> void:
 	var sum := time + seconds
 	var part := sum - time
 	var low := (time - (sum - part)) + (seconds - part) + _time_low
-	_touch_time[index] = sum
+	var event_time := sum + low
+	low -= event_time - sum
+	_touch_time[index] = event_time
 	_touch_low[index] = low
 	_touched[index] = wall
-	_event_time[index] = sum
+	_event_time[index] = event_time
 	_event_low[index] = low
-	_queue.change(index, sum)
+	_queue.change(index, event_time, low)
 
 
 # Whether a ball that touches this surface touches a straight line, and not a round end.

@@ -85,8 +85,10 @@ func _cross(index: int) -> void:
 	if _partner >= 0:
 		_release_partner(index)
 		_meet_partner(index)
+	elif _cross_time[index] < _event_time[index]:
+		_queue.change(index, _cross_time[index], 0.0)
 	else:
-		_queue.change(index, minf(_event_time[index], _cross_time[index]))
+		_queue.change(index, _event_time[index], _event_low[index])
 
 
 # Chooses the ball's next event, and takes its partner away from others where it is another ball.
@@ -103,9 +105,11 @@ func _forecast_event(index: int) -> void:
 
 # The ball and the partner that it has found will do nothing before they meet.
 func _meet_partner(index: int) -> void:
-	var event_time := time + _partner_seconds
-	var part := event_time - time
-	var low := (time - (event_time - part)) + (_partner_seconds - part) + _time_low
+	var sum := time + _partner_seconds
+	var part := sum - time
+	var low := (time - (sum - part)) + (_partner_seconds - part) + _time_low
+	var event_time := sum + low
+	low -= event_time - sum
 	_release_partner(_partner)
 	_set_event(_partner, event_time, low, MEET, index)
 	_set_event(index, event_time, low, MEET, _partner)
@@ -118,7 +122,8 @@ func _set_event(index: int, event_time: float, low: float, kind: int, with: int)
 	_event_with[index] = with
 	if _uses_cells and _cross_time[index] < event_time:
 		event_time = _cross_time[index]
-	_queue.change(index, event_time)
+		low = 0.0
+	_queue.change(index, event_time, low)
 
 
 # The other ball of an impact that is off looks again at the time at which it would have been.

@@ -18,6 +18,8 @@ var uses_grid := true:
 # Impacts are counted from here on, for one second.
 var _count_from := 0.0
 var _counted_impacts := 0
+# Until then nothing happens, as far as is known without asking.
+var _quiet_until := -INF
 # Counts the changes of segments, walls, gravity and bounciness.
 var _contents := 0
 
@@ -174,6 +176,7 @@ func remove_ball(index: int) -> String:
 
 
 func _count_again() -> void:
+	_quiet_until = -INF
 	_count_from = time
 	_counted_impacts = impacts
 
