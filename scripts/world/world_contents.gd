@@ -195,13 +195,6 @@ func _begin_anew() -> void:
 			_forecast(index)
 
 
-func _set_free(index: int) -> void:
-	_support[index] = NOTHING
-	_left_surface[index] = NOTHING
-	_pull_x[index] = _gravity_x
-	_pull_y[index] = _gravity_y
-
-
 func _resize_places(count: int) -> void:
 	var old := ball_count()
 	for numbers: PackedFloat64Array in _float_arrays():
@@ -225,6 +218,7 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start[index] = time
 	_start_low[index] = _time_low
 	_set_free(index)
+	_last_meeting[index] = -INF
 	if _is_there[index] == 0:
 		_is_there[index] = 1
 		_balls_there += 1
