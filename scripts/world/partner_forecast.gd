@@ -12,13 +12,16 @@ extends TouchForecast
 # From so many balls on, each looks only around its own cell.
 const _MANY_BALLS := 16
 
+# Shorter by some last places.
+const _JUST_CLEAR := 1.0 - 1.0 / 2.0 ** 46
+
 var _queue := EventQueue.new()
 var _cells := BallCells.new()
 var _uses_cells := false
 var _balls_there := 0
 
-# The event of each ball, wherever it will be by then. In the queue stands when it comes into another
-# cell, if that is earlier.
+# The event of each ball, wherever it will be by then. In the queue stands when it comes into
+# another cell, if that is earlier.
 var _event_time: PackedFloat64Array = []
 var _event_low: PackedFloat64Array = []
 var _event_kind: PackedInt32Array = []
@@ -224,6 +227,18 @@ func _meets_under_pull(
 	pull_y: float,
 	reach: float
 ) -> bool:
+	var distance := sqrt(dx * dx + dy * dy)
+	# As SegmentScan does it for a ball that lies on something.
+	if absf(distance - reach) <= SegmentScan.TOUCH:
+		var away := (velocity_x * dx + velocity_y * dy) / distance
+		var around := (velocity_x * dy - velocity_y * dx) / distance
+		var inwards := -(pull_x * dx + pull_y * dy) / distance - around * around / distance
+		if inwards > 0.0 and away * away <= 2.0 * inwards * SegmentScan.TOUCH:
+			_accelerated.time = 2.0 * maxf(away, 0.0) / inwards
+			return true
+		if away > 0.0:
+			# Taken as just clear of each other, which spares the question whether they are.
+			reach = distance * _JUST_CLEAR
 	_accelerated.set_flight(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach)
 	return _accelerated.with_point(0.0, 0.0, _partner_seconds)
 

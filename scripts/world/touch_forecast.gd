@@ -25,7 +25,7 @@ var _touched: PackedInt32Array = []
 var _touched_feature: PackedInt32Array = []
 # The surface on which a ball lies or slides.
 var _support: PackedInt32Array = []
-# The surface that a ball under a pull has just left, and how fast along its normal.
+# The surface that a ball has just left, and, under a pull, how fast along its normal.
 var _left_surface: PackedInt32Array = []
 var _left_speed: PackedFloat64Array = []
 var _accelerated := AcceleratedImpact.new()
@@ -68,7 +68,9 @@ func _forecast_touch(index: int) -> void:
 				seconds = to_wall
 				surface = TOP_WALL
 	if _segments.size() > 0:
-		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds):
+		# A segment is convex: in straight flight a ball never comes back to the one it has left.
+		var left := _left_surface[index]
+		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds, left):
 			seconds = _segments.time
 			surface = _segments.index
 			_touched_feature[index] = _segments.feature
@@ -164,7 +166,8 @@ func _forecast_return(index: int, place: int) -> void:
 	_find_normal(index, place)
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
-	if seconds < _seconds:
+	# One that has slid off the end has left along the line, and does not come back to it.
+	if seconds < _seconds and _left_speed[index] > 0.0:
 		var share := _segments.share_of(
 			place,
 			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds,
@@ -227,9 +230,15 @@ func _find_normal(index: int, surface: int) -> void:
 		BOTTOM_WALL:
 			_normal_y = -1.0
 		_:
+			_normal_x = _segments.normal_x(surface)
+			_normal_y = _segments.normal_y(surface)
 			var side := _segments.signed_distance(surface, _x[index], _y[index])
-			_normal_x = _segments.normal_x(surface) * (1.0 if side >= 0.0 else -1.0)
-			_normal_y = _segments.normal_y(surface) * (1.0 if side >= 0.0 else -1.0)
+			if side == 0.0:
+				# A centre on the line itself is stopped from the side it comes from.
+				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
+			if side < 0.0:
+				_normal_x = -_normal_x
+				_normal_y = -_normal_y
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:

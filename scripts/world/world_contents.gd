@@ -55,6 +55,7 @@ func set_gravity(gravity: Vec2) -> String:
 	_contents += 1
 	_gravity_x = gravity.x
 	_gravity_y = gravity.y
+	_lasting_speed.fill(NAN)
 	_begin_anew()
 	return ""
 
@@ -199,13 +200,6 @@ func _begin_anew() -> void:
 			_forecast(index)
 
 
-func _set_free(index: int) -> void:
-	_support[index] = NOTHING
-	_left_surface[index] = NOTHING
-	_pull_x[index] = _gravity_x
-	_pull_y[index] = _gravity_y
-
-
 func _resize_places(count: int) -> void:
 	var old := ball_count()
 	for numbers: PackedFloat64Array in _float_arrays():
@@ -229,6 +223,8 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start[index] = time
 	_start_low[index] = _time_low
 	_set_free(index)
+	_last_meeting[index] = -INF
+	_lasting_speed[index] = NAN
 	if _is_there[index] == 0:
 		_is_there[index] = 1
 		_balls_there += 1
