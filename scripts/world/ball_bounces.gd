@@ -1,10 +1,7 @@
 class_name BallBounces
-extends BallRests
+extends BallRolls
 ## What happens to a ball that touches a wall or a segment: it bounces, and may come to rest.
 
-## Bounces that pile up on a round end or on another ball, on which nothing lies still, end in hops
-## of this time, in seconds, in which no speed is lost any more: 0.006 px high at 500 px/s^2.
-const LEAST_HOP := 1e-2
 ## Where nothing presses a ball on a line it leaves with at least this share of its speed along the
 ## normal, so that no rounding lets it meet the same line once more.
 const LEAST_SHARE := 1.0 / 2.0 ** 50
@@ -105,12 +102,7 @@ func _find_contact(index: int, surface: int) -> void:
 	if _is_line(index, surface):
 		_find_normal(index, surface)
 		return
-	var feature := _touched_feature[index] as Impact.Feature
-	var dx := _x[index] - _segments.end_x(surface, feature)
-	var dy := _y[index] - _segments.end_y(surface, feature)
-	var distance := sqrt(dx * dx + dy * dy)
-	_normal_x = dx / distance if distance > 0.0 else 0.0
-	_normal_y = dy / distance if distance > 0.0 else 0.0
+	_find_end_normal(index, surface, _touched_feature[index] as Impact.Feature)
 
 
 # The law of reflection, v + (1 + C) |v.n| n, for a ball that approaches with |v.n|; and whether it
@@ -120,8 +112,6 @@ func _leave(index: int, surface: int, approach: float, event: WorldEvent) -> voi
 	var is_line := _is_line(index, surface)
 	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
 	var speed := _bounciness * approach
-	if pressure > 0.0 and not is_line:
-		speed = _hop_speed(speed, approach, pressure - _pull_around(index))
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
 	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
@@ -139,23 +129,12 @@ func _leave(index: int, surface: int, approach: float, event: WorldEvent) -> voi
 	if pressure <= 0.0:
 		_lift(index, speed, speed_squared)
 	_end_event(index, surface, event)
-	if is_line and not _is_weightless():
+	if _is_weightless():
+		return
+	if is_line:
 		_rest_if_over(index, surface, speed, pressure)
-
-
-# How strongly a ball that goes round a point is pulled outwards, in px/s^2.
-func _pull_around(index: int) -> float:
-	var around := _velocity_x[index] * _normal_y - _velocity_y[index] * _normal_x
-	return around * around / _radius[index]
-
-
-# How fast to leave where bounces may pile up: not so slowly that the hop is shorter than LEAST_HOP,
-# but no faster than it came, unless it did not come at all.
-func _hop_speed(speed: float, approach: float, pressure: float) -> float:
-	var least := 0.5 * pressure * LEAST_HOP
-	if speed >= least:
-		return speed
-	return minf(approach, least) if approach > 1e-3 * least else least
+	elif _is_hop_over(index, speed, pressure):
+		_roll(index, surface, _touched_feature[index] as Impact.Feature)
 
 
 # A unit normal is rounded, always to the same side for the same line: scaled back to its length

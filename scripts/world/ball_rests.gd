@@ -126,6 +126,7 @@ func _put_on(index: int, surface: int) -> void:
 	_pull_x[index] = _gravity_x - pressure * _normal_x
 	_pull_y[index] = _gravity_y - pressure * _normal_y
 	_support[index] = surface
+	_rolled_end[index] = Impact.Feature.LINE
 	_left_surface[index] = NOTHING
 	if surface >= 0:
 		var distance := absf(_segments.signed_distance(surface, _x[index], _y[index]))
@@ -140,6 +141,7 @@ func _put_on(index: int, surface: int) -> void:
 # On nothing, and pulled by gravity alone.
 func _set_free(index: int) -> void:
 	_support[index] = NOTHING
+	_rolled_end[index] = Impact.Feature.LINE
 	_left_surface[index] = NOTHING
 	_pull_x[index] = _gravity_x
 	_pull_y[index] = _gravity_y

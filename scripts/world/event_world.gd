@@ -73,6 +73,7 @@ func snapshot() -> WorldSnapshot:
 	kept.contents = _contents
 	kept.counted = [_count_from, _counted_impacts]
 	kept.keep(_all_arrays())
+	kept.rolls = _rolls.duplicate()
 	return kept
 
 
@@ -87,6 +88,7 @@ func restore(kept: WorldSnapshot) -> String:
 	_count_from = kept.counted[0]
 	_counted_impacts = int(kept.counted[1])
 	kept.put_into(_all_arrays())
+	_rolls = kept.rolls.duplicate()
 	_quiet_until = -INF
 	_queue.resize(ball_count())
 	_balls_there = _is_there.count(1)

@@ -25,7 +25,11 @@ var _touched: PackedInt32Array = []
 var _touched_feature: PackedInt32Array = []
 # The surface on which a ball lies or slides.
 var _support: PackedInt32Array = []
-# The surface that a ball has just left, and, under a pull, how fast along its normal.
+# The round end over which it slides, or Feature.LINE, and for how long the present piece lasts.
+var _rolled_end: PackedInt32Array = []
+var _piece: PackedFloat64Array = []
+# The surface that a ball has just left, and, under a pull, how fast along its normal: INF where it
+# never comes back to it.
 var _left_surface: PackedInt32Array = []
 var _left_speed: PackedFloat64Array = []
 var _accelerated := AcceleratedImpact.new()
@@ -100,7 +104,10 @@ func _forecast_accelerated_touch(index: int) -> void:
 	_surface = NOTHING
 	_kind = TOUCH
 	if _support[index] >= 0:
-		_forecast_slide(index, _support[index])
+		if _rolled_end[index] == Impact.Feature.LINE:
+			_forecast_slide(index, _support[index])
+		else:
+			_take(_piece[index], _support[index], FOLLOW_CAP)
 	if _has_walls:
 		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
 			_forecast_wall(index, wall)
@@ -108,7 +115,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 		var skipped := _support[index]
 		if _left_surface[index] >= 0:
 			skipped = _left_surface[index]
-			_forecast_return(index, skipped)
+			if _left_speed[index] < INF:
+				_forecast_return(index, skipped)
 		if _segments.first_accelerated_impact(
 			_x[index],
 			_y[index],
@@ -166,8 +174,7 @@ func _forecast_return(index: int, place: int) -> void:
 	_find_normal(index, place)
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
-	# One that has slid off the end has left along the line, and does not come back to it.
-	if seconds < _seconds and _left_speed[index] > 0.0:
+	if seconds < _seconds:
 		var share := _segments.share_of(
 			place,
 			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds,
@@ -242,8 +249,8 @@ func _find_normal(index: int, surface: int) -> void:
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_touch_time, _touch_low, _left_speed] as Array[PackedFloat64Array])
+	return super() + ([_touch_time, _touch_low, _left_speed, _piece] as Array[PackedFloat64Array])
 
 
 func _int_arrays() -> Array[PackedInt32Array]:
-	return [_touch_kind, _touched, _touched_feature, _support, _left_surface]
+	return [_touch_kind, _touched, _touched_feature, _support, _rolled_end, _left_surface]

@@ -224,6 +224,7 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start_low[index] = _time_low
 	_set_free(index)
 	_last_meeting[index] = -INF
+	_rolls.resize(ball_count())
 	_lasting_speed[index] = NAN
 	if _is_there[index] == 0:
 		_is_there[index] = 1

@@ -49,16 +49,23 @@ func test_a_ball_comes_to_rest_between_two_slopes() -> void:
 
 func test_a_slow_ball_rolls_over_the_end_of_a_segment() -> void:
 	var world := _falling([Vector4(-200, 0, 0, 0)], [_ball(-20, -10, 20, 0)], 0.5)
-	var depths := PackedFloat64Array()
+	world.keeps_events = true
+	var distances := PackedFloat64Array()
+	var energies := PackedFloat64Array()
+	var energy := world.energy()
 	for step: int in 1500:
 		world.advance(0.001)
-		depths.append(
-			10.0 - minf(world.position(0).length(), 10.0) if world.position_x(0) > 0 else 0.0
-		)
-	assert_all_at_most(depths, 1e-9)
-	# It leaves where it is no longer pressed on the end, and goes on outwards.
-	assert_gt(world.velocity(0).x, 20.0)
-	assert_gt(world.position_y(0), 10.0)
+		energies.append(absf(world.energy() / energy - 1.0))
+		if world.position_x(0) > 0.0 and world.is_resting(0):
+			distances.append(absf(world.position(0).length() - 10.0))
+	assert_gt(distances.size(), 100)
+	assert_all_at_most(distances, BallRolls.OFF_CIRCLE)
+	assert_all_at_most(energies, 1e-6)
+	# It leaves where it is no longer pressed on the end: cos a = (v0^2 / (g R) + 2) / 3.
+	var leave := world.events[-1]
+	assert_eq(leave.kind, WorldEvent.Kind.LEAVE)
+	assert_almost_eq(-leave.normal.y, (20.0 * 20.0 / (GRAVITY * 10.0) + 2.0) / 3.0, 1e-9)
+	assert_almost_eq(leave.velocity_after.length_squared(), -leave.normal.y * GRAVITY * 10.0, 1e-6)
 
 
 func test_a_fast_ball_flies_off_the_end_of_a_segment() -> void:
