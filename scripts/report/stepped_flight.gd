@@ -36,7 +36,7 @@ func run_once() -> void:
 func _prepare() -> void:
 	_world = SteppedWorld.new()
 	_world.mover = SteppedWorld.mover_of(_way)
-	_world.surroundings.set_segments(shot.segments)
+	_world.surroundings.set_segments(shot.segments())
 	_world.set_balls([shot.ball])
 
 
