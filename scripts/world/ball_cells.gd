@@ -22,6 +22,14 @@ var neighbors: PackedInt32Array = []
 var cell: PackedInt32Array = []
 
 var _columns := 0
+# By the border that was crossed, from -2 to 2.
+var _new_neighbors: Array[PackedInt32Array] = [
+	PackedInt32Array([0, 1, 2]),
+	PackedInt32Array([0, 3, 6]),
+	PackedInt32Array(),
+	PackedInt32Array([2, 5, 8]),
+	PackedInt32Array([6, 7, 8]),
+]
 var _previous: PackedInt32Array = []
 # Column and row of each ball in the plane, of any size and sign.
 var _column: PackedInt64Array = []
@@ -102,6 +110,12 @@ func cross(ball: int) -> void:
 	else:
 		_row[ball] += border >> 1
 	_enter(ball)
+
+
+## Of the nine cells around a ball, the three that were not around it before it last crossed a
+## border, as places in [member neighbors].
+func new_neighbors(ball: int) -> PackedInt32Array:
+	return _new_neighbors[_border[ball] + 2]
 
 
 ## All arrays that change while balls move, to be kept and put back.

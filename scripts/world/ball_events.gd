@@ -26,16 +26,15 @@ var _gravity_y := 0.0
 
 
 func _happen(index: int) -> void:
+	if _uses_cells and _cross_time[index] < _event_time[index]:
+		_cross(index)
+		return
 	var kind := _event_kind[index]
 	if kind == TOUCH:
 		_bounce(index)
 		_forecast(index)
 	elif kind == MEET:
 		_collide(index, _event_with[index])
-	elif kind == CROSS:
-		_cells.cross(index)
-		_forecast_crossing(index)
-		_forecast_event(index)
 	elif kind == LOOK_AGAIN:
 		_forecast_event(index)
 	elif kind == SLIDE_OFF:

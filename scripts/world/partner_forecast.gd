@@ -17,7 +17,9 @@ var _cells := BallCells.new()
 var _uses_cells := false
 var _balls_there := 0
 
-# The event of each ball; its time stands in the queue.
+# The event of each ball, wherever it will be by then. In the queue stands when it comes into another
+# cell, if that is earlier.
+var _event_time: PackedFloat64Array = []
 var _event_low: PackedFloat64Array = []
 var _event_kind: PackedInt32Array = []
 var _event_with: PackedInt32Array = []
@@ -29,6 +31,8 @@ var _asker_x := 0.0
 var _asker_y := 0.0
 var _asker_velocity_x := 0.0
 var _asker_velocity_y := 0.0
+var _asker_pull_x := 0.0
+var _asker_pull_y := 0.0
 var _asker_radius := 0.0
 var _partner := NOTHING
 var _partner_seconds := INF
@@ -37,7 +41,7 @@ var _partner_seconds := INF
 ## When the present flight of a ball ends, in seconds; INF if nothing ever happens to it. It may end
 ## earlier, where another ball is changed from outside.
 func flight_end(index: int) -> float:
-	return minf(_queue.times[index], _touch_time[index])
+	return minf(_event_time[index], _touch_time[index])
 
 
 # Works out all that is next for a ball whose flight begins now.
@@ -61,35 +65,59 @@ func _forecast_crossing(index: int) -> void:
 	_cross_time[index] = time + seconds
 
 
+# A ball comes into another cell: of the nine around it now three are new, and only their balls can
+# be met before what was foreseen.
+func _cross(index: int) -> void:
+	_cells.cross(index)
+	var new_neighbors := _cells.new_neighbors(index)
+	_forecast_crossing(index)
+	var horizon := (_event_time[index] - time) + (_event_low[index] - _time_low)
+	_ask(index, horizon)
+	var first := _cells.first
+	var next := _cells.next
+	var neighbors := _cells.neighbors
+	var around := 9 * _cells.cell[index]
+	for place in new_neighbors:
+		var other := first[neighbors[around + place]]
+		while other >= 0:
+			_try_partner(other)
+			other = next[other]
+	if _partner >= 0:
+		_release_partner(index)
+		_meet_partner(index)
+	else:
+		_queue.change(index, minf(_event_time[index], _cross_time[index]))
+
+
 # Chooses the ball's next event, and takes its partner away from others where it is another ball.
 func _forecast_event(index: int) -> void:
 	_release_partner(index)
-	var event_time := _touch_time[index]
-	var low := _touch_low[index]
-	var kind := _touch_kind[index]
-	var with := _touched[index]
-	if _uses_cells and _cross_time[index] < event_time:
-		event_time = _cross_time[index]
-		low = _time_low
-		kind = CROSS
-		with = NOTHING
 	if _balls_there > 1:
-		_find_partner(index, (event_time - time) + (low - _time_low))
+		_ask(index, (_touch_time[index] - time) + (_touch_low[index] - _time_low))
+		_try_all_partners(index)
 		if _partner >= 0:
-			event_time = time + _partner_seconds
-			var part := event_time - time
-			low = (time - (event_time - part)) + (_partner_seconds - part) + _time_low
-			kind = MEET
-			with = _partner
-			_release_partner(with)
-			_set_event(with, event_time, low, MEET, index)
-	_set_event(index, event_time, low, kind, with)
+			_meet_partner(index)
+			return
+	_set_event(index, _touch_time[index], _touch_low[index], _touch_kind[index], _touched[index])
+
+
+# The ball and the partner that it has found will do nothing before they meet.
+func _meet_partner(index: int) -> void:
+	var event_time := time + _partner_seconds
+	var part := event_time - time
+	var low := (time - (event_time - part)) + (_partner_seconds - part) + _time_low
+	_release_partner(_partner)
+	_set_event(_partner, event_time, low, MEET, index)
+	_set_event(index, event_time, low, MEET, _partner)
 
 
 func _set_event(index: int, event_time: float, low: float, kind: int, with: int) -> void:
+	_event_time[index] = event_time
 	_event_low[index] = low
 	_event_kind[index] = kind
 	_event_with[index] = with
+	if _uses_cells and _cross_time[index] < event_time:
+		event_time = _cross_time[index]
 	_queue.change(index, event_time)
 
 
@@ -99,17 +127,22 @@ func _release_partner(index: int) -> void:
 		_event_kind[_event_with[index]] = LOOK_AGAIN
 
 
-# The ball with which this one collides first, within so many seconds from now.
-func _find_partner(index: int, horizon: float) -> void:
+# Where the ball is now that looks for a partner, to be met within so many seconds.
+func _ask(index: int, horizon: float) -> void:
 	var flown := (time - _start[index]) + (_time_low - _start_low[index])
 	_asker = index
-	_asker_velocity_x = _velocity_x[index] + _pull_x[index] * flown
-	_asker_velocity_y = _velocity_y[index] + _pull_y[index] * flown
+	_asker_pull_x = _pull_x[index]
+	_asker_pull_y = _pull_y[index]
+	_asker_velocity_x = _velocity_x[index] + _asker_pull_x * flown
+	_asker_velocity_y = _velocity_y[index] + _asker_pull_y * flown
 	_asker_x = _x[index] + 0.5 * (_velocity_x[index] + _asker_velocity_x) * flown
 	_asker_y = _y[index] + 0.5 * (_velocity_y[index] + _asker_velocity_y) * flown
 	_asker_radius = _radius[index]
 	_partner = NOTHING
 	_partner_seconds = horizon
+
+
+func _try_all_partners(index: int) -> void:
 	if not _uses_cells:
 		for other in _x.size():
 			if _is_there[other] == 1:
@@ -132,17 +165,23 @@ func _try_partner(other: int) -> void:
 	var flown := (time - _start[other]) + (_time_low - _start_low[other])
 	var pull_x := _pull_x[other]
 	var pull_y := _pull_y[other]
-	var end_x := _velocity_x[other] + pull_x * flown
-	var end_y := _velocity_y[other] + pull_y * flown
-	var dx := _asker_x - (_x[other] + 0.5 * (_velocity_x[other] + end_x) * flown)
-	var dy := _asker_y - (_y[other] + 0.5 * (_velocity_y[other] + end_y) * flown)
-	var velocity_x := _asker_velocity_x - end_x
-	var velocity_y := _asker_velocity_y - end_y
-	var reach := _asker_radius + _radius[other]
-	pull_x = _pull_x[_asker] - pull_x
-	pull_y = _pull_y[_asker] - pull_y
-	var seconds := 0.0
+	var velocity_x := _velocity_x[other]
+	var velocity_y := _velocity_y[other]
+	var dx := _asker_x - _x[other]
+	var dy := _asker_y - _y[other]
 	if pull_x == 0.0 and pull_y == 0.0:
+		dx -= velocity_x * flown
+		dy -= velocity_y * flown
+	else:
+		dx -= (velocity_x + 0.5 * pull_x * flown) * flown
+		dy -= (velocity_y + 0.5 * pull_y * flown) * flown
+		velocity_x += pull_x * flown
+		velocity_y += pull_y * flown
+	velocity_x = _asker_velocity_x - velocity_x
+	velocity_y = _asker_velocity_y - velocity_y
+	var reach := _asker_radius + _radius[other]
+	var seconds := 0.0
+	if pull_x == _asker_pull_x and pull_y == _asker_pull_y:
 		var approach := -(dx * velocity_x + dy * velocity_y)
 		if not approach > 0.0:
 			return
@@ -157,12 +196,15 @@ func _try_partner(other: int) -> void:
 				return
 			seconds = excess / (approach + sqrt(discriminant))
 	elif (
-		other != _asker and _meets_under_pull(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach)
+		other != _asker
+		and _meets_under_pull(
+			dx, dy, velocity_x, velocity_y, _asker_pull_x - pull_x, _asker_pull_y - pull_y, reach
+		)
 	):
 		seconds = _accelerated.time
 	else:
 		return
-	if seconds < _partner_seconds and time + seconds < _queue.times[other]:
+	if seconds < _partner_seconds and time + seconds < _event_time[other]:
 		_partner_seconds = seconds
 		_partner = other
 
@@ -182,7 +224,7 @@ func _meets_under_pull(
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_event_low, _cross_time] as Array[PackedFloat64Array])
+	return super() + ([_event_time, _event_low, _cross_time] as Array[PackedFloat64Array])
 
 
 func _int_arrays() -> Array[PackedInt32Array]:

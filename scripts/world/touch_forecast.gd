@@ -6,9 +6,9 @@ extends BallFlights
 ## What a ball can touch that is no segment; segments count from 0.
 enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 
-## What ends a flight: the ball touches a surface or another ball, comes into another cell, has to
-## look again, slides off the end of what supports it, or has followed a piece of a round cap.
-enum { TOUCH, MEET, CROSS, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
+## What ends a flight: the ball touches a surface or another ball, has to look again, slides off the
+## end of what supports it, or has followed a piece of a round cap.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
 
 var _has_walls := false
 var _left_x := 0.0

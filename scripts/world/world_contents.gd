@@ -168,6 +168,7 @@ func remove_ball(index: int) -> String:
 		_balls_there -= 1
 		if _uses_cells:
 			_cells.remove(index)
+			_cross_time[index] = INF
 		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 	return problem
 
