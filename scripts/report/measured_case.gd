@@ -1,0 +1,81 @@
+@abstract class_name MeasuredCase
+extends RefCounted
+## One thing to be measured: a method, in a situation, run several times.
+##
+## Whoever measures calls [method run_once] for each case in turn, again and again, so that a slow
+## moment of the machine hits all alike, and then asks for [method result].
+
+## The problem's id; see [member Measurement.problem].
+var problem := ""
+## See [member Measurement.method].
+var method := ""
+## See [member Measurement.situation].
+var situation := ""
+## See [member Measurement.tuning].
+var tuning := ""
+## [member situation] and [member tuning] in one text.
+var setting: String:
+	get:
+		return Measurement.setting_of(situation, tuning)
+## See [member Measurement.is_peer].
+var is_peer := false
+## Whether a run waits for physics frames of the engine. Then it is measured rightly only where
+## these come as fast as they can: headless with --fixed-fps.
+var needs_frames := false
+## See [member Measurement.error]; known after the first run.
+var error := 0.0
+## See [member Measurement.error_unit].
+var error_unit := "px"
+## See [member Measurement.note].
+var note := ""
+## See [member Measurement.figures].
+var figures: Dictionary[String, float] = {}
+
+var _run_times: PackedFloat64Array = []
+
+## Runs it once and keeps the time by [method keep_run]; has to be awaited where [member
+## needs_frames] is set. In the quick form it takes at most about 50 ms.
+@abstract func run_once() -> void
+
+
+## Gives back what a case holds outside of itself, such as nodes, after the last run.
+func finish() -> void:
+	pass
+
+
+## Keeps the time of one run, in microseconds, in the unit of [member Measurement.run_time_us].
+func keep_run(run_time_us: float) -> void:
+	_run_times.append(run_time_us)
+
+
+## How many runs have been kept.
+func runs() -> int:
+	return _run_times.size()
+
+
+## What has been found so far: the run time is the median of the runs, 0 before the first.
+func result() -> Measurement:
+	var measurement := Measurement.new()
+	measurement.problem = problem
+	measurement.method = method
+	measurement.situation = situation
+	measurement.tuning = tuning
+	measurement.is_peer = is_peer
+	measurement.run_time_us = median(_run_times)
+	measurement.error = error
+	measurement.error_unit = error_unit
+	measurement.note = note
+	measurement.figures = figures.duplicate()
+	return measurement
+
+
+## The middle one of the values, or the mean of the two middle ones; 0 if there is none.
+static func median(values: PackedFloat64Array) -> float:
+	if values.is_empty():
+		return 0.0
+	var sorted := values.duplicate()
+	sorted.sort()
+	var middle := sorted.size() >> 1
+	if sorted.size() % 2 == 1:
+		return sorted[middle]
+	return (sorted[middle - 1] + sorted[middle]) / 2.0

@@ -1,0 +1,21 @@
+@abstract class_name ReportProblem
+extends RefCounted
+## A problem that several methods solve: what is asked, and who can be measured at it.
+##
+## [method cases] are the lab's own. The engine's are in scenes/peers/, because nothing here may
+## know of nodes and physics.
+
+## A word for files and tables, such as ball_in_box.
+var id := ""
+## One line for people.
+var title := ""
+## What is asked of the methods, and what their error is: one or two sentences.
+var question := ""
+## The horizontal axis of the picture.
+var run_time_axis := "run time, µs per simulated second"
+## The vertical axis of the picture.
+var error_axis := "error, px"
+
+## Fresh cases, none of them run yet. The quick form has fewer, and each run takes at most about
+## 50 ms.
+@abstract func cases(is_quick: bool) -> Array[MeasuredCase]

@@ -1,0 +1,8 @@
+class_name ReportProblems
+extends RefCounted
+## The problems of the report, in their order.
+
+
+## Fresh ones.
+static func all() -> Array[ReportProblem]:
+	return [ScalarProjectionProblem.new()]

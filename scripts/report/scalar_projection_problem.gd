@@ -1,0 +1,26 @@
+class_name ScalarProjectionProblem
+extends ReportProblem
+## The first problem: the shadow of one vector on another, by angles and by the dot product.
+
+
+func _init() -> void:
+	id = "scalar_projection"
+	title = "The scalar projection of one vector on another"
+	question = (
+		(
+			"a . b / |b| for %d pairs of vectors, a call each. The error is the worst one,"
+			% ProjectionPairs.COUNT
+		)
+		+ " as a share of the length of a, against 106 bits."
+	)
+	run_time_axis = "run time, µs per call"
+	error_axis = "worst error / |a|"
+
+
+## See [method ReportProblem.cases].
+func cases(is_quick: bool) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for situation in ProjectionPairs.SITUATIONS:
+		found.append(ProjectionByAngles.new(situation, is_quick))
+		found.append(ProjectionByDotProduct.new(situation, is_quick))
+	return found
