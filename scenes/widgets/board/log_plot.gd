@@ -70,6 +70,11 @@ func show_chosen(index: int) -> void:
 	queue_redraw()
 
 
+## Which point is pointed at; -1 for none.
+func chosen() -> int:
+	return _chosen
+
+
 ## Where a point is drawn, in pixels of the plot.
 func pixel_of(index: int) -> Vector2:
 	return _area.pixel(_points[index])
@@ -160,14 +165,12 @@ func _go(direction: int, place: Callable) -> void:
 	accept_event()
 	if _points.is_empty():
 		return
-	var order := range(_points.size())
-	order.sort_custom(
-		func(a: int, b: int) -> bool:
-			return [place.call(a), a] < [place.call(b), b]
-	)
+	var order: Array[int] = []
+	order.assign(range(_points.size()))
+	order.sort_custom(func(a: int, b: int) -> bool: return [place.call(a), a] < [place.call(b), b])
 	var here := order.find(_chosen)
 	var next := here + direction if here >= 0 else 0
-	_choose(order[clampi(next, 0, order.size() - 1)] as int)
+	_choose(order[clampi(next, 0, order.size() - 1)])
 
 
 func _choose(index: int) -> void:

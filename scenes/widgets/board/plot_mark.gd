@@ -5,18 +5,18 @@ extends RefCounted
 ## Pixels from the middle of a mark to its corners.
 const RADIUS := 7.0
 
-# Corners of each shape on a circle: how many, the angle of the first in degrees, and how far in
-# each second one lies (1: not at all).
-const _SHAPES: Array[Vector3] = [
-	Vector3(24, 0, 1.0),
-	Vector3(4, 45, 1.0),
-	Vector3(3, -90, 1.0),
-	Vector3(4, 0, 1.0),
-	Vector3(3, 90, 1.0),
-	Vector3(10, -90, 0.45),
-	Vector3(6, 0, 1.0),
-	Vector3(8, 0, 0.4),
-	Vector3(5, -90, 1.0),
+# Corners of each shape on a circle: how many, the angle of the first in degrees, how far out they
+# lie, and each second one, as shares of the radius.
+const _SHAPES: Array[Vector4] = [
+	Vector4(24, 0, 1.0, 1.0),
+	Vector4(4, 45, 1.2, 1.2),
+	Vector4(3, -90, 1.25, 1.25),
+	Vector4(4, 0, 1.25, 1.25),
+	Vector4(3, 90, 1.25, 1.25),
+	Vector4(10, -90, 1.35, 0.6),
+	Vector4(6, 0, 1.1, 1.1),
+	Vector4(8, 0, 1.35, 0.5),
+	Vector4(5, -90, 1.15, 1.15),
 ]
 const _ROLES: Array[Palette.Role] = [
 	Palette.Role.PROJECTION,
@@ -46,7 +46,7 @@ static func _corners(number: int, middle: Vector2) -> PackedVector2Array:
 	var shape := _SHAPES[number % _SHAPES.size()]
 	var corners: PackedVector2Array = []
 	for i in int(shape.x):
-		var radius := RADIUS * (shape.z if i % 2 == 1 else 1.15)
+		var radius := RADIUS * (shape.w if i % 2 == 1 else shape.z)
 		var angle := deg_to_rad(shape.y) + TAU * i / shape.x
 		corners.append(middle + Vector2.from_angle(angle) * radius)
 	return corners

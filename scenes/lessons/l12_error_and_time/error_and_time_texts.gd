@@ -1,0 +1,81 @@
+class_name ErrorAndTimeTexts
+extends RefCounted
+## The sentences and formula lines of the lesson on error and run time.
+
+
+## What stands beside a point that is pointed at, a line each.
+static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
+	var found: PackedStringArray = [MeasuredWords.of(measurement.method)]
+	if measurement.tuning:
+		found.append(MeasuredWords.of(measurement.tuning))
+	found.append(
+		(
+			_translate("error %s, run time %s")
+			% [error(measurement), run_time(measurement.run_time_us)]
+		)
+	)
+	if measurement.note:
+		found.append(measurement.note)
+	if is_best:
+		found.append(_translate("On the frontier: none is faster and closer."))
+	return found
+
+
+## An error with its unit.
+static func error(measurement: Measurement) -> String:
+	if not measurement.has_answer():
+		return _translate("no answer")
+	var unit := MeasuredWords.of(measurement.error_unit)
+	return "%s %s" % [NumberText.size(measurement.error), unit]
+
+
+## A time in the unit that suits it.
+static func run_time(microseconds: float) -> String:
+	if microseconds < 1.0:
+		return _translate("%s ns") % NumberText.short(microseconds * 1000.0, 3)
+	if microseconds < 1000.0:
+		return _translate("%s µs") % NumberText.short(microseconds, 3)
+	return _translate("%s ms") % NumberText.short(microseconds / 1000.0, 3)
+
+
+## How far the measuring is.
+static func progress(run: MeasuringRun) -> String:
+	if run.is_done():
+		return (
+			_translate("Done: the middle one of %d runs each, on this machine.")
+			% MeasuringRun.ROUNDS
+		)
+	if run.is_going:
+		return _translate("Run %d of %d: all methods in turn.") % [run.runs() + 1, run.all_runs()]
+	return _translate("Stopped after %d of %d runs.") % [run.runs(), run.all_runs()]
+
+
+## The headings of the readout.
+static func headings() -> PackedStringArray:
+	return ["", _translate("error"), _translate("run time"), _translate("× time")]
+
+
+## A row of the readout on [param measurement]; null where there is none.
+static func row(title: String, measurement: Measurement, fastest: Measurement) -> PackedStringArray:
+	if not measurement:
+		return [title, "–", "–", "–"]
+	var error_text := "∞" if not measurement.has_answer() else NumberText.size(measurement.error)
+	var times := measurement.run_time_us / fastest.run_time_us
+	return [title, error_text, run_time(measurement.run_time_us), NumberText.short(times, 3)]
+
+
+## The formula lines on the order of the method that is pointed at; [param has_order] where it has
+## two settings to compare.
+static func formula_lines(has_order: bool) -> PackedStringArray:
+	var lines: PackedStringArray = ["{p} = log( {e1} / {e2} ) / log( {t2} / {t1} )"]
+	if has_order:
+		lines.append("   = log( {e1_number} / {e2_number} ) / log( {t2_number} / {t1_number} )")
+		lines.append("   = {p_number}")
+	else:
+		lines.append(_translate("Point at a method with several settings:"))
+		lines.append(_translate("its slope is the order p."))
+	return lines
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,0 +1,56 @@
+class_name MeasuredWords
+extends RefCounted
+## What the measured problems, methods and settings are called, for readers of any language: the
+## names themselves stand in tables and files, in English.
+##
+## Numbers in a name are left out of what is translated: `240 steps a second` is looked up as
+## `%s steps a second`.
+
+# Titles of the problems by their id: source text.
+const _TITLES: Dictionary[String, String] = {
+	"scalar_projection": "Scalar projection",
+	"ball_in_box": "One ball in a box",
+}
+
+# The axes of all problems: source text.
+const _AXES: PackedStringArray = [
+	"run time, µs per call",
+	"run time, µs per simulated second",
+	"worst error / |a|",
+	"error, px",
+]
+
+# Situations, methods and what they are set to: source text.
+const _NAMES: PackedStringArray = [
+	"up to %s px",
+	"nearly perpendicular",
+	"%s to %s px",
+	"atan2 and cos",
+	"dot product",
+	"Vector2",
+	"share of |a|",
+]
+
+# Not a digit within a word, such as that of atan2.
+const _NUMBER := "(?<![\\w.])\\d+(?:[.,]\\d+)*(?:e-?\\d+)?"
+
+
+## The title of the problem with this id; the id itself for one that has none here.
+static func title(id: String) -> String:
+	var known: String = _TITLES.get(id, id)
+	return TranslationServer.translate(known)
+
+
+## A name in the reader's language, with its numbers.
+static func of(name_in_table: String) -> String:
+	var numbers: Array[String] = []
+	for hit in RegEx.create_from_string(_NUMBER).search_all(name_in_table):
+		numbers.append(hit.get_string())
+	var translated: String = TranslationServer.translate(pattern(name_in_table))
+	return translated % numbers
+
+
+## What is looked up for a name: %s for each number, %% for a percent sign.
+static func pattern(name_in_table: String) -> String:
+	var plain := name_in_table.replace("%", "%%")
+	return RegEx.create_from_string(_NUMBER).sub(plain, "%s", true)
