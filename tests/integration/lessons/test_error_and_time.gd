@@ -1,0 +1,155 @@
+extends ScreenTest
+## Drives the lesson on error and run time: measuring, stopping, choosing, pointing at points with
+## mouse, finger, keys and gamepad, undo and reset.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"error_and_time"))
+
+
+func test_it_measures_by_itself_and_tells_of_the_closest_point() -> void:
+	assert_gt(_run().runs(), 0)
+	await _finish_measuring()
+	assert_reads("Done")
+	assert_reads("On the frontier")
+	assert_eq(_plot().chosen(), _frontier()[-1])
+
+
+func test_one_run_a_frame_leaves_the_window_alive() -> void:
+	await click_button("Measure" if _run().is_done() else "Stop")
+	await _measure_anew()
+	var before := _run().runs()
+	await get_tree().process_frame
+	assert_between(_run().runs() - before, 0, 1)
+
+
+func test_p_stops_where_it_is_and_goes_on() -> void:
+	await _measure_anew()
+	await student.press(&"lab_pause")
+	var runs := _run().runs()
+	await student.settle()
+	assert_eq(_run().runs(), runs)
+	assert_reads("Stopped after %d of" % runs)
+	await student.press(&"lab_pause")
+	assert_gt(_run().runs(), runs)
+
+
+func test_the_button_stops_and_measures_anew() -> void:
+	await _measure_anew()
+	await click_button("Stop")
+	assert_false(_run().is_going)
+	await click_button("Measure")
+	await _finish_measuring()
+	await click_button("Measure")
+	assert_lt(_run().share(), 1.0)
+
+
+func test_the_mouse_on_a_point_tells_method_error_and_run_time() -> void:
+	await _finish_measuring()
+	for place in _run().measurements().size():
+		student.move_to(_pixel(place))
+		await student.settle()
+		var measured := _run().measurements()[place]
+		assert_reads(ErrorAndTimeTexts.run_time(measured.run_time_us))
+		assert_reads(measured.method)
+		assert_eq(_plot().chosen(), place)
+
+
+func test_a_finger_points_too_and_a_touch_beside_all_points_takes_it_back() -> void:
+	await _finish_measuring()
+	await student.touch(_pixel(0))
+	assert_eq(_plot().chosen(), 0)
+	await student.touch(_plot().get_global_rect().position + Vector2(4.0, 4.0))
+	assert_eq(_plot().chosen(), -1)
+	assert_does_not_read("On the frontier")
+
+
+func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
+	await _finish_measuring()
+	_plot().grab_focus()
+	for i: int in 20:
+		await student.press(&"ui_left")
+	var times: PackedFloat64Array = [_pointed().run_time_us]
+	for i: int in 2:
+		await student.press_pad(JOY_BUTTON_DPAD_RIGHT)
+		times.append(_pointed().run_time_us)
+	var sorted := times.duplicate()
+	sorted.sort()
+	assert_eq(times, sorted)
+	assert_lt(times[0], times[2])
+
+
+func test_the_tab_key_reaches_the_plot() -> void:
+	(Screen.button(screen(), "Reset the lesson")).grab_focus()
+	await student.press_key(KEY_TAB)
+	assert_true(_plot().has_focus())
+
+
+func test_another_situation_is_measured_at_once_and_undo_comes_back_to_what_was_found() -> void:
+	await _finish_measuring()
+	await _pick("The situation", 1)
+	assert_eq(_model().situation_place, 1)
+	await _finish_measuring()
+	await student.press(&"lab_undo")
+	assert_eq(_model().situation_place, 0)
+	assert_true(_run().is_done())
+
+
+func test_reset_begins_anew() -> void:
+	await _finish_measuring()
+	await student.press(&"lab_reset")
+	assert_eq(_run().runs(), 0)
+
+
+func test_a_question_names_the_mistake() -> void:
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
+	await student.settle()
+	await student.enter(Screen.named(screen(), "p =") as LineEdit, "-2")
+	assert_true(Screen.reads(screen(), "positive order") or Screen.reads(screen(), "is not it yet"))
+
+
+func _model() -> ErrorAndTimeModel:
+	return frame().lesson.get(&"_model")
+
+
+func _run() -> MeasuringRun:
+	return _model().run()
+
+
+func _plot() -> LogPlot:
+	return frame().lesson.get_node("%Plot") as LogPlot
+
+
+func _pointed() -> Measurement:
+	return _run().measurements()[_plot().chosen()]
+
+
+func _frontier() -> PackedInt32Array:
+	return ErrorAndTimeModel.frontier(_run().measurements())
+
+
+func _pixel(place: int) -> Vector2:
+	return _plot().get_global_transform() * _plot().pixel_of(place)
+
+
+func _measure_anew() -> void:
+	await _finish_measuring()
+	await click_button("Measure")
+
+
+func _finish_measuring() -> void:
+	while _run().is_going:
+		await get_tree().process_frame
+	await student.settle()
+
+
+# Picks an entry of a list by the keyboard.
+func _pick(title: String, place: int) -> void:
+	var list := Screen.named(screen(), title) as OptionButton
+	list.grab_focus()
+	await student.press(&"ui_accept")
+	for i: int in list.item_count + 1:
+		if list.get_popup().get_focused_item() != place:
+			await student.press(&"ui_down")
+	await student.press(&"ui_accept")
