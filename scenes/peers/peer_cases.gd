@@ -5,10 +5,12 @@ extends RefCounted
 
 ## Fresh cases for the problem with that id. What they need of the engine becomes a child of
 ## [param host], which has to be in the tree, and is freed by [method MeasuredCase.finish].
-static func of(problem_id: String, is_quick: bool, _host: Node) -> Array[MeasuredCase]:
+static func of(problem_id: String, is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	match problem_id:
 		"scalar_projection":
 			for situation in ProjectionPairs.SITUATIONS:
 				found.append(Vector2Projection.new(situation, is_quick))
+		"ball_in_box":
+			found = BoxPeers.cases(is_quick, host)
 	return found

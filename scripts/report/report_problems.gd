@@ -5,4 +5,4 @@ extends RefCounted
 
 ## Fresh ones.
 static func all() -> Array[ReportProblem]:
-	return [ScalarProjectionProblem.new()]
+	return [ScalarProjectionProblem.new(), BallInBoxProblem.new()]

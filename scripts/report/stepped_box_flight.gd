@@ -1,0 +1,52 @@
+class_name SteppedBoxFlight
+extends BoxFlight
+## The ball in the box in one of the lecture's ways of stepping.
+
+## How the ways are named in tables.
+const METHODS: Dictionary[SteppedWorld.Method, String] = {
+	SteppedWorld.Method.POSITION_RESET: "position reset",
+	SteppedWorld.Method.POINT_OF_IMPACT: "impact, rest dropped",
+	SteppedWorld.Method.WHOLE_FRAME: "impact, rest used",
+}
+
+const _PARTS := 5
+
+var _way: SteppedWorld.Method
+var _world: SteppedWorld
+
+
+## A flight stepped in this way.
+func _init(way: SteppedWorld.Method, at_speed: float, for_seconds: float, at_rate: int) -> void:
+	super(at_speed, for_seconds, at_rate)
+	_way = way
+	method = METHODS[way]
+
+
+# A run is a fifth of the flight, because stepping is slow: five of them make one flight. The world
+# stays between them.
+func run_once() -> void:
+	if runs() % _PARTS == 0:
+		_prepare()
+	_fly(floori(float(steps) / _PARTS))
+	if runs() == _PARTS - 1:
+		_find_error()
+	keep_run(_spent * _PARTS / seconds)
+
+
+func _prepare() -> void:
+	_world = SteppedWorld.new()
+	_world.mover = SteppedWorld.mover_of(_way)
+	_world.surroundings.set_segments(BallInBox.walls())
+	_world.set_balls([BallInBox.ball(speed)])
+
+
+func _fly(count: int) -> void:
+	var world := _world
+	var seconds_a_step := step_seconds
+	var start := Time.get_ticks_usec()
+	for i in count:
+		world.step(seconds_a_step)
+		var place := world.balls[0].position
+		_x = place.x
+		_y = place.y
+	_spent = Time.get_ticks_usec() - start
