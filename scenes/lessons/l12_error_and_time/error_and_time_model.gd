@@ -5,8 +5,8 @@ extends RefCounted
 
 ## The problems that can be chosen, in their order.
 var problems := ReportProblems.all()
-## Which one is chosen, by its place.
-var problem_place := 0
+## Which one is chosen, by its place: at first the ball in a box, where there is most to see.
+var problem_place := 1
 ## Which of its situations is chosen, by its place.
 var situation_place := 0
 ## The table of stability is open instead.

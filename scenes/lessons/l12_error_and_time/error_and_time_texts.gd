@@ -17,7 +17,7 @@ static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
 	if measurement.note:
 		found.append(measurement.note)
 	if is_best:
-		found.append(_translate("On the frontier: none is faster and closer."))
+		found.append(_translate("on the frontier"))
 	return found
 
 
@@ -41,13 +41,13 @@ static func run_time(microseconds: float) -> String:
 ## How far the measuring is.
 static func progress(run: MeasuringRun) -> String:
 	if run.is_done():
-		return (
-			_translate("Done: the middle one of %d runs each, on this machine.")
-			% MeasuringRun.ROUNDS
-		)
+		var done := _translate("Done: the middle one of %d runs each, on this machine.")
+		return done % MeasuringRun.ROUNDS
+	var counts: Array[int] = [run.done_count(), run.size()]
 	if run.is_going:
-		return _translate("Run %d of %d: all methods in turn.") % [run.runs() + 1, run.all_runs()]
-	return _translate("Stopped after %d of %d runs.") % [run.runs(), run.all_runs()]
+		var method := MeasuredWords.of(run.method_in_turn())
+		return _translate("Run %d of %d: ") % counts + method
+	return _translate("Stopped after %d of %d runs.") % counts
 
 
 ## The headings of the readout.

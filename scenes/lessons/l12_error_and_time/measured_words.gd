@@ -29,6 +29,18 @@ const _NAMES: PackedStringArray = [
 	"dot product",
 	"Vector2",
 	"share of |a|",
+	"%s px/s, %s s",
+	"%s Hz",
+	"position reset",
+	"impact, rest dropped",
+	"impact, rest used",
+	"event world",
+	"move_and_collide, segments",
+	"move_and_collide, concave shape",
+	"body_test_motion, segments",
+	"body_test_motion, concave shape",
+	"RigidBody2D",
+	"RigidBody2D, CCD ray",
 ]
 
 # Not a digit within a word, such as that of atan2.

@@ -1,13 +1,10 @@
 class_name MeasuringRun
-extends RefCounted
-## The methods of one problem in one situation, measured in turn, one run at a time, so that the
-## window stays alive in between.
+extends LiveRun
+## The methods of one problem in one situation, measured one after the other.
 
-## So many runs of each method are made; their median counts.
+## So many runs of each method are made; their median counts, and only then it is shown: a flight
+## may be flown in parts, and has no error before the last.
 const ROUNDS := 5
-
-## It is to go on. False before the first run, when it was stopped, and when it is done.
-var is_going := false
 
 var _cases: Array[MeasuredCase] = []
 var _runs := 0
@@ -18,32 +15,25 @@ func _init(cases: Array[MeasuredCase]) -> void:
 	_cases = cases
 
 
-## Makes the next single run; the last one ends it.
-func measure_next() -> void:
-	_cases[_runs % _cases.size()].run_once()
-	_runs += 1
-	if is_done():
-		is_going = false
+## See [method LiveRun.size]: a part is a single run.
+func size() -> int:
+	return ROUNDS * _cases.size()
 
 
-## All runs have been made.
-func is_done() -> bool:
-	return _runs >= ROUNDS * _cases.size()
-
-
-## The share of all runs that have been made, 0..1.
-func share() -> float:
-	return float(_runs) / (ROUNDS * _cases.size())
-
-
-## How many runs have been made.
-func runs() -> int:
+## See [method LiveRun.done_count].
+func done_count() -> int:
 	return _runs
 
 
-## How many runs there are in all.
-func all_runs() -> int:
-	return ROUNDS * _cases.size()
+## See [method LiveRun.do_next].
+func do_next() -> void:
+	_case_in_turn().run_once()
+	_runs += 1
+
+
+## The method that is measured next, or was last.
+func method_in_turn() -> String:
+	return _case_in_turn().method
 
 
 ## The methods in their order, each once.
@@ -70,7 +60,10 @@ func are_peers() -> Array[bool]:
 ## What has been measured so far, in the order of the cases.
 func measurements() -> Array[Measurement]:
 	var found: Array[Measurement] = []
-	for case in _cases:
-		if case.runs() > 0:
-			found.append(case.result())
+	for i in floori(float(_runs) / ROUNDS):
+		found.append(_cases[i].result())
 	return found
+
+
+func _case_in_turn() -> MeasuredCase:
+	return _cases[mini(floori(float(_runs) / ROUNDS), _cases.size() - 1)]

@@ -185,11 +185,29 @@ func _show_card() -> void:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
 	_card.reset_size()
-	var at := pixel_of(_chosen)
-	var place := at + Vector2(_BESIDE, -_card.size.y - _BESIDE)
-	if place.x + _card.size.x > size.x - _MARGIN:
-		place.x = at.x - _card.size.x - _BESIDE
-	_card.position = place.clamp(Vector2.ZERO, size - _card.size)
+	_card.position = _place_beside(pixel_of(_chosen), _card.size)
+
+
+# Above or below the point, to its right or left: where the card hides the fewest others.
+func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
+	var best := Vector2.ZERO
+	var fewest := _points.size() + 1
+	for across: float in [_BESIDE, -_BESIDE - extent.x]:
+		for down: float in [-_BESIDE - extent.y, _BESIDE]:
+			var place := (at + Vector2(across, down)).clamp(Vector2.ZERO, size - extent)
+			var hidden := _count_inside(Rect2(place, extent).grow(PlotMark.RADIUS))
+			if hidden < fewest:
+				best = place
+				fewest = hidden
+	return best
+
+
+func _count_inside(place: Rect2) -> int:
+	var count := 0
+	for i in _points.size():
+		if place.has_point(pixel_of(i)):
+			count += 1
+	return count
 
 
 func _write(text: String, at: Vector2, right: float) -> void:

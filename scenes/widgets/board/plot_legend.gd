@@ -5,7 +5,7 @@ extends RefCounted
 const _FONT_SIZE := 16
 const _ROW := 25.0
 # From the mark's middle to its text, and from there to the next mark.
-const _BESIDE := 15.0
+const _BESIDE := 16.0
 const _GAP := 20.0
 # How much of a line stands for a line.
 const _STROKE := 26.0
@@ -32,7 +32,7 @@ func height(width: float) -> float:
 func draw(canvas: Control, corner: Vector2, width: float) -> void:
 	var places := _places(width)
 	for i in _names.size():
-		var at := corner + places[i] + Vector2(PlotMark.RADIUS, _ROW / 2.0)
+		var at := corner + places[i] + Vector2(PlotMark.RADIUS + 3.0, _ROW / 2.0)
 		PlotMark.draw(canvas, i, at, _is_hollow[i])
 		_write(canvas, _names[i], at + Vector2(_BESIDE, 0.0), Palette.color(Palette.Role.INK))
 	if _names:
@@ -48,7 +48,7 @@ func _places(width: float) -> PackedVector2Array:
 	var places: PackedVector2Array = []
 	var at := Vector2.ZERO
 	for text in _names + PackedStringArray([_line_name]):
-		var wide := _width_of(text) + _BESIDE + PlotMark.RADIUS
+		var wide := _width_of(text) + _BESIDE + PlotMark.RADIUS + 3.0
 		if at.x > 0.0 and at.x + wide > width:
 			at = Vector2(0.0, at.y + _ROW)
 		places.append(at)

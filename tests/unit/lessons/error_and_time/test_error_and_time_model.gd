@@ -32,22 +32,22 @@ func test_cases_that_wait_for_frames_are_left_out() -> void:
 
 func test_what_was_measured_is_kept_while_another_problem_is_looked_at() -> void:
 	var model := _model()
-	model.run().measure_next()
+	model.run().do_next()
 	model.choose_problem(1)
-	assert_eq(model.run().runs(), 0)
+	assert_eq(model.run().done_count(), 0)
 	model.choose_problem(0)
-	assert_eq(model.run().runs(), 1)
+	assert_eq(model.run().done_count(), 1)
 
 
 func test_beginning_goes_on_after_a_stop_and_anew_after_the_end() -> void:
 	var model := _model()
-	model.run().measure_next()
+	model.run().do_next()
 	model.begin()
-	assert_eq(model.run().runs(), 1)
+	assert_eq(model.run().done_count(), 1)
 	while not model.run().is_done():
-		model.run().measure_next()
+		model.run().do_next()
 	model.begin()
-	assert_eq(model.run().runs(), 0)
+	assert_eq(model.run().done_count(), 0)
 	assert_eq(model.run().measurements().size(), 0)
 	assert_true(model.run().is_going)
 
@@ -122,6 +122,7 @@ func _model() -> ErrorAndTimeModel:
 			return [FakeCase.new("engine", "easy", [4.0]), slow]
 	)
 	model.problems = [FakeProblem.new("first"), FakeProblem.new("second")]
+	model.choose_problem(0)
 	return model
 
 

@@ -1,45 +1,50 @@
 extends LabTest
-## Tests of measuring methods in turn: order, progress, end, median.
+## Tests of measuring methods one after the other: progress, end, median.
 
 
 func test_nothing_goes_before_it_is_begun() -> void:
 	var run := MeasuringRun.new(_two_cases())
-	assert_false(run.is_going)
+	run.advance(1000)
+	assert_eq(run.done_count(), 0)
 	assert_eq(run.measurements().size(), 0)
 
 
-func test_methods_are_run_in_turn_and_appear_one_by_one() -> void:
+func test_a_method_appears_once_all_its_runs_are_made() -> void:
 	var run := MeasuringRun.new(_two_cases())
-	run.measure_next()
-	assert_eq(_methods(run), ["slow"])
-	run.measure_next()
-	assert_eq(_methods(run), ["slow", "fast"])
-	run.measure_next()
-	assert_eq(_methods(run), ["slow", "fast"])
+	for i: int in 4:
+		run.do_next()
+	assert_eq(_methods(run), [] as Array[String])
+	run.do_next()
+	assert_eq(_methods(run), ["slow"] as Array[String])
+	assert_eq(run.method_in_turn(), "fast")
+	for i: int in 5:
+		run.do_next()
+	assert_eq(_methods(run), ["slow", "fast"] as Array[String])
 
 
-func test_it_ends_by_itself_after_all_rounds() -> void:
+func test_it_makes_one_run_at_least_and_ends_by_itself() -> void:
 	var run := MeasuringRun.new(_two_cases())
 	run.is_going = true
-	for i: int in run.all_runs():
-		assert_true(run.is_going)
-		run.measure_next()
-	assert_false(run.is_going)
+	run.advance(0)
+	assert_eq(run.done_count(), 1)
+	for i: int in run.size():
+		run.advance(0)
+	assert_eq(run.done_count(), 10)
 	assert_true(run.is_done())
-	assert_eq(run.share(), 1.0)
+	assert_false(run.is_going)
 
 
 func test_the_share_grows_evenly() -> void:
 	var run := MeasuringRun.new(_two_cases())
 	for i: int in 3:
-		run.measure_next()
+		run.do_next()
 	assert_almost_eq(run.share(), 3.0 / 10.0, 1e-12)
 
 
 func test_the_median_of_the_runs_counts() -> void:
 	var run := MeasuringRun.new(_two_cases())
 	while not run.is_done():
-		run.measure_next()
+		run.do_next()
 	assert_eq(run.measurements()[0].run_time_us, 30.0)
 	assert_eq(run.measurements()[1].run_time_us, 3.0)
 
