@@ -12,5 +12,9 @@ static func of(problem_id: String, is_quick: bool, host: Node) -> Array[Measured
 			for situation in ProjectionPairs.SITUATIONS:
 				found.append(Vector2Projection.new(situation, is_quick))
 		"ball_in_box":
-			found = BoxPeers.cases(is_quick, host)
+			found = ShotPeers.in_box(is_quick, host)
+		"dropped_ball":
+			for bounciness in DroppedBall.BOUNCINESSES:
+				for rate: int in [60] if is_quick else [60, 240]:
+					found.append(RigidDrop.new(host, bounciness, rate))
 	return found

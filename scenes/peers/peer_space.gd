@@ -13,8 +13,15 @@ func _init(host: Node) -> void:
 	size = Vector2i(2, 2)
 	render_target_update_mode = SubViewport.UPDATE_DISABLED
 	host.add_child(self)
-	var space := world_2d.space
-	PhysicsServer2D.area_set_param(space, PhysicsServer2D.AREA_PARAM_GRAVITY, 0.0)
+	set_gravity(0.0)
+
+
+## Downwards, in pixels per second squared.
+func set_gravity(gravity: float) -> void:
+	PhysicsServer2D.area_set_param(world_2d.space, PhysicsServer2D.AREA_PARAM_GRAVITY, gravity)
+	PhysicsServer2D.area_set_param(
+		world_2d.space, PhysicsServer2D.AREA_PARAM_GRAVITY_VECTOR, Vector2.DOWN
+	)
 
 
 ## Adds the segments as one wall: each a shape of its own, or all of them one concave shape.

@@ -68,7 +68,17 @@ func plus(other: DoubleDouble) -> DoubleDouble:
 
 ## This number less [param other].
 func minus(other: DoubleDouble) -> DoubleDouble:
-	return plus(DoubleDouble.new(-other.high, -other.low))
+	return plus(other.negated())
+
+
+## The number with the other sign, exactly.
+func negated() -> DoubleDouble:
+	return DoubleDouble.new(-high, -low)
+
+
+## Whether this number is smaller than [param other]; equal ones are not.
+func is_less_than(other: DoubleDouble) -> bool:
+	return high < other.high or (high == other.high and low < other.low)
 
 
 ## The product of this number and [param other].

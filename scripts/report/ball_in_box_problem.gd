@@ -4,10 +4,12 @@ extends ReportProblem
 
 ## Pixels per second.
 const SPEEDS: PackedFloat64Array = [300.0, 3000.0, 30000.0]
-## The short flight.
+## Seconds of the short flight.
 const SHORT := 10.0
-## The long flight.
+## Seconds of the long flight.
 const LONG := 100.0
+## The method that is to be the best one.
+const EVENT_WORLD := "event world"
 
 
 func _init() -> void:
@@ -22,10 +24,30 @@ func _init() -> void:
 ## See [method ReportProblem.cases].
 func cases(is_quick: bool) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
-	for speed in SPEEDS:
-		for way in SteppedBoxFlight.METHODS:
-			for rate: int in [60, 240] if is_quick else [60, 240, 960, 3840]:
-				found.append(SteppedBoxFlight.new(way, speed, SHORT, rate))
-			for rate: int in [60] if is_quick else [60, 240, 960]:
-				found.append(SteppedBoxFlight.new(way, speed, LONG, rate))
+	for shot in shots():
+		for rate in rates(shot, is_quick):
+			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
+			found.append(
+				EventFlight.new(
+					EventFlight.Form.GRID, "event world, walls as segments", shot, rate
+				)
+			)
+			for way in SteppedFlight.METHODS:
+				found.append(SteppedFlight.new(way, shot, rate))
 	return found
+
+
+## All flights: the short ones, then the long ones.
+static func shots() -> Array[Shot]:
+	var found: Array[Shot] = []
+	for seconds: float in [SHORT, LONG]:
+		for speed in SPEEDS:
+			found.append(BoxShot.new(speed, seconds))
+	return found
+
+
+## How many steps a second are tried: few where a flight would take too long.
+static func rates(shot: Shot, is_quick: bool) -> PackedInt32Array:
+	if shot.seconds == LONG:
+		return [60] if is_quick else [60, 240, 960]
+	return [60, 240] if is_quick else [60, 240, 960, 3840]

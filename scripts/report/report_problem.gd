@@ -19,3 +19,8 @@ var error_axis := "error, px"
 ## Fresh cases, none of them run yet. The quick form has fewer, and each run takes at most about
 ## 50 ms.
 @abstract func cases(is_quick: bool) -> Array[MeasuredCase]
+
+
+## What else the report says of these measurements of it, in Markdown; "" for nothing.
+func remarks(_rows: Array[Measurement]) -> String:
+	return ""

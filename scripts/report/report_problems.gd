@@ -5,4 +5,4 @@ extends RefCounted
 
 ## Fresh ones.
 static func all() -> Array[ReportProblem]:
-	return [ScalarProjectionProblem.new(), BallInBoxProblem.new()]
+	return [ScalarProjectionProblem.new(), BallInBoxProblem.new(), DroppedBallProblem.new()]

@@ -23,3 +23,16 @@ static func velocity_at(velocity: Vec2, gravity: Vec2, way: Vec2, seconds: float
 	var square := maxf(before * before + 2.0 * strength * way.dot(down), 0.0)
 	var after := signf(before + strength * seconds) * sqrt(square)
 	return velocity.plus(down.scaled(after - before))
+
+
+## The first time at which height + velocity t + pull t^2 / 2 is at most 0 and falling, in seconds:
+## when something in free flight touches a plane on its way down. INF for never. At height 0 or
+## below it is 0 if the height falls, or is about to; else it is when it comes back.
+static func time_to_fall(height: float, velocity: float, pull: float) -> float:
+	if height <= 0.0 and (velocity < 0.0 or (velocity == 0.0 and pull < 0.0)):
+		return 0.0
+	var squared := velocity * velocity - 2.0 * pull * height
+	# Upwards first, or from below: back only if it is pulled down. Each form adds what has one sign.
+	if velocity >= 0.0:
+		return (velocity + sqrt(maxf(squared, 0.0))) / -pull if pull < 0.0 else INF
+	return 2.0 * height / (sqrt(squared) - velocity) if squared > 0.0 else INF

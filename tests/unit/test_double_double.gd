@@ -68,6 +68,19 @@ func test_the_root_of_a_negative_number_is_refused() -> void:
 	assert_push_error("must be 0 or more, but is -4")
 
 
+func test_the_sign_is_turned_in_both_parts() -> void:
+	var number := DoubleDouble.sum_of(-(2.0 ** 60), 1.0)
+	assert_eq([number.negated().high, number.negated().low], [2.0 ** 60, -1.0])
+
+
+func test_less_is_told_by_the_low_part_where_the_high_ones_are_equal() -> void:
+	var one := DoubleDouble.from_float(1.0)
+	var more := DoubleDouble.sum_of(1.0, EPSILON / 16.0)
+	assert_true(one.is_less_than(more))
+	assert_false(more.is_less_than(one) or one.is_less_than(one))
+	assert_true(more.negated().is_less_than(one))
+
+
 func test_the_text_has_both_parts() -> void:
 	assert_eq(str(DoubleDouble.sum_of(2.0 ** 53, 1.0)), "9.007199254740992e+15 + 1")
 

@@ -1,7 +1,7 @@
-class_name RigidBoxFlight
-extends BoxFlight
-## The ball in the box by RigidBody2D, which the engine moves in its own physics frames. What a
-## frame takes in which nothing moves is taken off.
+class_name RigidFlight
+extends BallFlight
+## A ball's flight by RigidBody2D, which the engine moves in its own physics frames. What a frame
+## takes in which nothing moves is taken off.
 
 ## How the ways of continuous detection are named in tables.
 const MODES: Dictionary[RigidBody2D.CCDMode, String] = {
@@ -14,12 +14,12 @@ var _host: Node
 var _mode: RigidBody2D.CCDMode
 var _space: PeerSpace
 var _body: RID
+# The places after each step.
+var _places: PackedFloat64Array = []
 
 
-func _init(
-	host: Node, mode: RigidBody2D.CCDMode, at_speed: float, for_seconds: float, at_rate: int
-) -> void:
-	super(at_speed, for_seconds, at_rate)
+func _init(host: Node, mode: RigidBody2D.CCDMode, of_shot: Shot, at_rate: int) -> void:
+	super(of_shot, at_rate)
 	_host = host
 	_mode = mode
 	method = MODES[mode]
@@ -28,7 +28,7 @@ func _init(
 
 
 func _prepare() -> void:
-	pass
+	_places.clear()
 
 
 func _fly(count: int) -> void:
@@ -36,11 +36,24 @@ func _fly(count: int) -> void:
 	await frames.begin(rate)
 	var empty := await frames.empty_step()
 	_space = PeerSpace.new(_host)
-	_space.add_walls(BallInBox.walls(), true)
-	_body = _space.add_rigid_ball(BallInBox.ball(speed), _mode).get_rid()
+	_space.add_walls(shot.segments, false)
+	_body = _space.add_rigid_ball(shot.ball, _mode).get_rid()
 	var spent := await frames.pass_by(count, _read)
 	frames.end()
 	_spent = maxf(spent - empty * count, 1.0)
+
+
+# The engine's frames cannot be stopped and gone on with: all in one.
+func _path_of(frames: int) -> PackedFloat64Array:
+	var steps_per_frame := floori(float(rate) / 60.0)
+	_prepare()
+	await _fly(frames * steps_per_frame)
+	var path: PackedFloat64Array = []
+	for frame in frames:
+		var at := 2 * ((frame + 1) * steps_per_frame - 1)
+		path.append(_places[at])
+		path.append(_places[at + 1])
+	return path
 
 
 func _clear() -> void:
@@ -54,3 +67,5 @@ func _read() -> void:
 	)
 	_x = state.origin.x
 	_y = state.origin.y
+	_places.append(_x)
+	_places.append(_y)

@@ -1,18 +1,18 @@
-class_name MotionTestBoxFlight
-extends BoxFlight
-## The ball in the box by PhysicsServer2D.body_test_motion: the engine says how far the motion is
-## safe and which way the wall faces; position and velocity are kept here.
+class_name MotionTestFlight
+extends BallFlight
+## A ball's flight by PhysicsServer2D.body_test_motion: the engine says how far the motion is safe
+## and which way the wall faces; position and velocity are kept here.
 
 var _host: Node
 var _is_one_shape: bool
 var _space: PeerSpace
 var _body: CharacterBody2D
+var _velocity: Vector2
+var _place: Vector2
 
 
-func _init(
-	host: Node, is_one_shape: bool, at_speed: float, for_seconds: float, at_rate: int
-) -> void:
-	super(at_speed, for_seconds, at_rate)
+func _init(host: Node, is_one_shape: bool, of_shot: Shot, at_rate: int) -> void:
+	super(of_shot, at_rate)
 	_host = host
 	_is_one_shape = is_one_shape
 	method = "body_test_motion, " + ("concave shape" if is_one_shape else "segments")
@@ -21,22 +21,22 @@ func _init(
 
 func _prepare() -> void:
 	_space = PeerSpace.new(_host)
-	_space.add_walls(BallInBox.walls(), _is_one_shape)
+	_space.add_walls(shot.segments, _is_one_shape)
 	_body = CharacterBody2D.new()
-	_space.add_ball(_body, BallInBox.ball(speed))
+	_space.add_ball(_body, shot.ball)
+	_velocity = shot.ball.velocity.to_vector2()
+	_place = shot.ball.position.to_vector2()
 
 
 func _fly(count: int) -> void:
 	var body := _body.get_rid()
-	var ball := BallInBox.ball(speed)
-	var velocity := ball.velocity.to_vector2()
-	var place := ball.position.to_vector2()
+	var velocity := _velocity
+	var place := _place
 	var parameters := PhysicsTestMotionParameters2D.new()
 	var result := PhysicsTestMotionResult2D.new()
-	var seconds_a_step := step_seconds
 	var start := Time.get_ticks_usec()
 	for i in count:
-		var motion := velocity * seconds_a_step
+		var motion := velocity * step_seconds
 		for contact in PeerSpace.MOST_CONTACTS:
 			parameters.from = Transform2D(0.0, place)
 			parameters.motion = motion
@@ -50,6 +50,8 @@ func _fly(count: int) -> void:
 		_x = place.x
 		_y = place.y
 	_spent = Time.get_ticks_usec() - start
+	_velocity = velocity
+	_place = place
 
 
 func _clear() -> void:

@@ -1,7 +1,7 @@
-class_name CollideBoxFlight
-extends BoxFlight
-## The ball in the box by move_and_collide, as its documentation has it: with the default margin,
-## and the rest of the motion bounced and used until it is used up.
+class_name CollideFlight
+extends BallFlight
+## A ball's flight by move_and_collide, as its documentation has it: with the default margin, and
+## the rest of the motion bounced and used until it is used up.
 ##
 ## The body moves by itself, so many steps fit into one physics frame.
 
@@ -9,12 +9,11 @@ var _host: Node
 var _is_one_shape: bool
 var _space: PeerSpace
 var _body: CharacterBody2D
+var _velocity: Vector2
 
 
-func _init(
-	host: Node, is_one_shape: bool, at_speed: float, for_seconds: float, at_rate: int
-) -> void:
-	super(at_speed, for_seconds, at_rate)
+func _init(host: Node, is_one_shape: bool, of_shot: Shot, at_rate: int) -> void:
+	super(of_shot, at_rate)
 	_host = host
 	_is_one_shape = is_one_shape
 	method = "move_and_collide, " + ("concave shape" if is_one_shape else "segments")
@@ -23,18 +22,18 @@ func _init(
 
 func _prepare() -> void:
 	_space = PeerSpace.new(_host)
-	_space.add_walls(BallInBox.walls(), _is_one_shape)
+	_space.add_walls(shot.segments, _is_one_shape)
 	_body = CharacterBody2D.new()
-	_space.add_ball(_body, BallInBox.ball(speed))
+	_space.add_ball(_body, shot.ball)
+	_velocity = shot.ball.velocity.to_vector2()
 
 
 func _fly(count: int) -> void:
 	var body := _body
-	var velocity := BallInBox.ball(speed).velocity.to_vector2()
-	var seconds_a_step := step_seconds
+	var velocity := _velocity
 	var start := Time.get_ticks_usec()
 	for i in count:
-		var collision := body.move_and_collide(velocity * seconds_a_step)
+		var collision := body.move_and_collide(velocity * step_seconds)
 		var contacts := 0
 		while collision and contacts < PeerSpace.MOST_CONTACTS:
 			var normal := collision.get_normal()
@@ -45,6 +44,7 @@ func _fly(count: int) -> void:
 		_x = place.x
 		_y = place.y
 	_spent = Time.get_ticks_usec() - start
+	_velocity = velocity
 
 
 func _clear() -> void:

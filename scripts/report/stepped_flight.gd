@@ -1,6 +1,6 @@
-class_name SteppedBoxFlight
-extends BoxFlight
-## The ball in the box in one of the lecture's ways of stepping.
+class_name SteppedFlight
+extends BallFlight
+## A ball's flight in one of the lecture's ways of stepping.
 
 ## How the ways are named in tables.
 const METHODS: Dictionary[SteppedWorld.Method, String] = {
@@ -16,36 +16,35 @@ var _world: SteppedWorld
 
 
 ## A flight stepped in this way.
-func _init(way: SteppedWorld.Method, at_speed: float, for_seconds: float, at_rate: int) -> void:
-	super(at_speed, for_seconds, at_rate)
+func _init(way: SteppedWorld.Method, of_shot: Shot, at_rate: int) -> void:
+	super(of_shot, at_rate)
 	_way = way
 	method = METHODS[way]
 
 
-# A run is a fifth of the flight, because stepping is slow: five of them make one flight. The world
-# stays between them.
+## A run is a fifth of the flight, because stepping is slow: five of them make one flight. The world
+## stays between them.
 func run_once() -> void:
 	if runs() % _PARTS == 0:
 		_prepare()
 	_fly(floori(float(steps) / _PARTS))
-	if runs() == _PARTS - 1:
-		_find_error()
 	keep_run(_spent * _PARTS / seconds)
+	if runs() == _PARTS:
+		_find_error()
 
 
 func _prepare() -> void:
 	_world = SteppedWorld.new()
 	_world.mover = SteppedWorld.mover_of(_way)
-	_world.surroundings.set_segments(BallInBox.walls())
-	_world.set_balls([BallInBox.ball(speed)])
+	_world.surroundings.set_segments(shot.segments)
+	_world.set_balls([shot.ball])
 
 
 func _fly(count: int) -> void:
 	var world := _world
-	var seconds_a_step := step_seconds
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.step(seconds_a_step)
+		world.step(step_seconds)
 		var place := world.balls[0].position
 		_x = place.x
 		_y = place.y

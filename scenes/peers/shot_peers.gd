@@ -1,0 +1,36 @@
+class_name ShotPeers
+extends RefCounted
+## The engine's own ways to fly one ball.
+
+
+## All of them, for the ball in the box.
+static func in_box(is_quick: bool, host: Node) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for shot in BallInBoxProblem.shots():
+		var is_long := shot.seconds == BallInBoxProblem.LONG
+		for rate in BallInBoxProblem.rates(shot, is_quick):
+			if rate <= 960:
+				found.append_array(moved(host, shot, rate))
+		if not (is_long and is_quick):
+			for rate: int in [60, 240] if is_long or is_quick else [60, 240, 960]:
+				found.append_array(rigid(host, shot, rate, is_quick))
+	return found
+
+
+## By move_and_collide and body_test_motion, each among segments and against one concave shape.
+static func moved(host: Node, shot: Shot, rate: int) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for is_one_shape: bool in [false, true]:
+		found.append(CollideFlight.new(host, is_one_shape, shot, rate))
+		found.append(MotionTestFlight.new(host, is_one_shape, shot, rate))
+	return found
+
+
+## By RigidBody2D, without continuous detection and with; the quick form leaves out the one that
+## casts the shape, which differs little from none.
+static func rigid(host: Node, shot: Shot, rate: int, is_quick: bool) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for mode in RigidFlight.MODES:
+		if not is_quick or mode != RigidBody2D.CCD_MODE_CAST_SHAPE:
+			found.append(RigidFlight.new(host, mode, shot, rate))
+	return found

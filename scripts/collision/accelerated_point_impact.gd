@@ -1,0 +1,250 @@
+class_name AcceleratedPointImpact
+extends RefCounted
+## The exact impact of a ball under constant acceleration with a point: its centre enters the circle
+## of its radius about the point. Time is in seconds.
+##
+## The impact is the first time at which the ball touches while it approaches: the velocity has a
+## part against the contact normal. A ball that touches or overlaps already has it at time 0 if it
+## approaches; if it moves away or along, it has one only when it comes back after it was clear.
+## [br][br]
+## It is a downward root of the quartic |d + v t + g t² / 2|² - r². The quartic is bent upwards,
+## then perhaps downwards, then upwards again; a quadratic gives the two times between. In a part
+## bent upwards Newton's method runs up to the root from the left, in one bent downwards from the
+## right, and never past it: so what it finds is the first root, and there is none where the slope
+## turns round on the way. What rounding hides is settled by [GrazingEntry] and [ExactParabola].
+## [br][br]
+## A search makes one of these, sets the flight once and calls it for each point: nothing is
+## allocated, and all numbers are plain. The results mean nothing after a call that returned false.
+
+## Rounding changes a sum by less than this, times the terms it is made of.
+const NOISE := 16.0 / 2.0 ** 52
+
+## Below this the square of an acceleration has lost its digits, and pulls nothing anyway.
+const _FAINT := 1e-280
+
+## A step of Newton's method below this part of the time is the last one.
+const _LAST_STEP := 4.0 / 2.0 ** 52
+
+## Halvings from far away, and then to a root that is nearly double: more than both need.
+const _MOST_STEPS := 90
+
+## Seconds until the impact; 0 where the ball touches already.
+var time := 0.0
+## x of the contact normal: length 1, towards the ball.
+var normal_x := 0.0
+## y of the contact normal.
+var normal_y := 0.0
+
+var _px := 0.0
+var _py := 0.0
+var _vx := 0.0
+var _vy := 0.0
+var _gx := 0.0
+var _gy := 0.0
+var _radius := 0.0
+var _squared_radius := 0.0
+
+# The point, the way from it to the centre at time 0, and which side of it counts.
+var _cx := 0.0
+var _cy := 0.0
+var _dx := 0.0
+var _dy := 0.0
+var _outward_x := 0.0
+var _outward_y := 0.0
+
+
+## The flight from now on: a centre at (px, py), in pixels, with the velocity (vx, vy), px/s, and
+## the acceleration (gx, gy), px/s², may be 0. [param radius] is 0 or more.
+func set_flight(
+	px: float, py: float, vx: float, vy: float, gx: float, gy: float, radius: float
+) -> void:
+	_px = px
+	_py = py
+	_vx = vx
+	_vy = vy
+	_gx = gx
+	_gy = gy
+	_radius = radius
+	_squared_radius = radius * radius
+
+
+## Whether the ball meets the point (cx, cy) within [param horizon] seconds (INF allowed): its
+## centre comes as close as the radius. With position, velocity and acceleration of one ball less
+## those of another, and the sum of both radii, it is the impact of two balls.
+func with_point(cx: float, cy: float, horizon: float) -> bool:
+	var dx := _px - cx
+	var dy := _py - cy
+	if _starts_inside(cx, cy):
+		if dx * _vx + dy * _vy < 0.0:
+			return _touches_point_at(0.0, cx, cy, horizon)
+		return _touches_point_at(_first_return(cx, cy, INF, 0.0, 0.0), cx, cy, horizon)
+	# Across the acceleration the motion is even: it can touch only while it is in this strip.
+	var from := 0.0
+	var to := INF
+	var squared_pull := _gx * _gx + _gy * _gy
+	if squared_pull > _FAINT:
+		var leaving := _gx * _vy - _gy * _vx
+		var away := (_gx * dy - _gy * dx) * (-1.0 if leaving > 0.0 else 1.0)
+		var speed := absf(leaving)
+		var reach := sqrt(squared_pull) * (_radius + NOISE * (_radius + absf(dx) + absf(dy)))
+		if speed > 0.0:
+			from = maxf((away - reach) / speed, 0.0)
+			to = (away + reach) / speed
+		elif absf(away) > reach:
+			return false
+	if from > to or from > horizon:
+		return false
+	return _touches_point_at(_first_entry(cx, cy, from, to), cx, cy, horizon)
+
+
+# Whether the centre is inside the circle about (cx, cy), or on it, at the time 0.
+func _starts_inside(cx: float, cy: float) -> bool:
+	var dx := _px - cx
+	var dy := _py - cy
+	var squared := dx * dx + dy * dy
+	var gap := squared - _squared_radius
+	if absf(gap) > NOISE * squared:
+		return gap <= 0.0
+	return _exact_parabola().squared_gap(cx, cy, _radius, 0.0) <= 0.0
+
+
+# The first time between `from` and `to` at which a ball that is outside at `from` enters the circle
+# about (cx, cy); INF: never.
+func _first_entry(cx: float, cy: float, from: float, to: float) -> float:
+	_set_point(cx, cy, 0.0, 0.0)
+	var x := _dx + from * (_vx + 0.5 * from * _gx)
+	var y := _dy + from * (_vy + 0.5 * from * _gy)
+	var gap := x * x + y * y - _squared_radius
+	# Outside, but for rounding: it is just touching.
+	if gap <= 0.0:
+		var growth := x * (_vx + from * _gx) + y * (_vy + from * _gy)
+		if growth < 0.0:
+			return maxf(from - 0.5 * gap / growth, 0.0)
+	return _first_downward(from, to)
+
+
+# The same for a ball that is inside at time 0 and moves away: when it is back after it was outside.
+# Only entries on the side (outward_x, outward_y) of the point count; (0, 0) counts all.
+func _first_return(cx: float, cy: float, to: float, outward_x: float, outward_y: float) -> float:
+	_set_point(cx, cy, outward_x, outward_y)
+	return _first_downward(0.0, to)
+
+
+func _set_point(cx: float, cy: float, outward_x: float, outward_y: float) -> void:
+	_cx = cx
+	_cy = cy
+	_dx = _px - cx
+	_dy = _py - cy
+	_outward_x = outward_x
+	_outward_y = outward_y
+
+
+func _first_downward(from: float, to: float) -> float:
+	var x := _dx + from * (_vx + 0.5 * from * _gx)
+	var y := _dy + from * (_vy + 0.5 * from * _gy)
+	var ux := _vx + from * _gx
+	var uy := _vy + from * _gy
+	# Half the second derivative, s seconds after `from`: bend + third * s + fourth * s².
+	var bend := ux * ux + uy * uy + x * _gx + y * _gy
+	var third := 3.0 * (ux * _gx + uy * _gy)
+	var fourth := 1.5 * (_gx * _gx + _gy * _gy)
+	var discriminant := third * third - 4.0 * fourth * bend
+	if fourth <= _FAINT or (bend > 0.0 and (third >= 0.0 or discriminant <= 0.0)):
+		return _from_left(from, to)
+	var root := sqrt(discriminant)
+	var downwards := from
+	if bend > 0.0:
+		downwards += 2.0 * bend / (root - third)
+		var early := _from_left(from, minf(downwards, to))
+		if early < INF or downwards >= to:
+			return early
+	var upwards := from
+	upwards += -2.0 * bend / (third + root) if third > 0.0 else (root - third) / (2.0 * fourth)
+	var middle := _from_right(downwards, minf(upwards, to))
+	if middle < INF or upwards >= to:
+		return middle
+	return _from_left(upwards, to)
+
+
+# The downward root in a part that is bent upwards; none if it starts below 0.
+func _from_left(from: float, to: float) -> float:
+	var at := from
+	for count in _MOST_STEPS:
+		var ux := _vx + at * _gx
+		var uy := _vy + at * _gy
+		var x := _dx + at * (_vx + 0.5 * at * _gx)
+		var y := _dy + at * (_vy + 0.5 * at * _gy)
+		var gap := x * x + y * y - _squared_radius
+		var growth := x * ux + y * uy
+		if gap < 0.0 and count == 0:
+			return INF
+		var step := -0.5 * gap / growth
+		if growth >= 0.0 or step <= _LAST_STEP * at:
+			var bend := ux * ux + uy * uy + x * _gx + y * _gy
+			if absf(gap - growth * growth / bend) <= _noise_at(at, x, y):
+				return _grazing_entry(at - growth / bend, to)
+			return INF if growth >= 0.0 else _counted(at + step)
+		at += step
+		if at > to:
+			return INF
+	return _counted(at)
+
+
+# The downward root in a part that is bent downwards; none if it ends above 0.
+func _from_right(from: float, to: float) -> float:
+	var at := to
+	for count in _MOST_STEPS:
+		var x := _dx + at * (_vx + 0.5 * at * _gx)
+		var y := _dy + at * (_vy + 0.5 * at * _gy)
+		var gap := x * x + y * y - _squared_radius
+		var growth := x * (_vx + at * _gx) + y * (_vy + at * _gy)
+		if growth >= 0.0 or (gap >= 0.0 and count == 0):
+			return INF
+		var step := 0.5 * gap / growth
+		at -= step
+		if at < from:
+			return _counted(from) if _is_outside_at(from) else INF
+		if step <= _LAST_STEP * at:
+			break
+	return _counted(at)
+
+
+# The entry at that time, or INF where it is on the side that does not count.
+func _counted(at: float) -> float:
+	var x := _dx + at * (_vx + 0.5 * at * _gx)
+	var y := _dy + at * (_vy + 0.5 * at * _gy)
+	return maxf(at, 0.0) if x * _outward_x + y * _outward_y >= 0.0 else INF
+
+
+func _is_outside_at(at: float) -> bool:
+	var x := _dx + at * (_vx + 0.5 * at * _gx)
+	var y := _dy + at * (_vy + 0.5 * at * _gy)
+	return x * x + y * y > _squared_radius
+
+
+# What rounding can change of the quartic.
+func _noise_at(at: float, x: float, y: float) -> float:
+	var terms_x := absf(_dx) + at * (absf(_vx) + at * absf(_gx))
+	var terms_y := absf(_dy) + at * (absf(_vy) + at * absf(_gy))
+	return NOISE * (absf(x) * terms_x + absf(y) * terms_y + _squared_radius)
+
+
+func _grazing_entry(near: float, to: float) -> float:
+	var at := GrazingEntry.time(_px, _py, _vx, _vy, _gx, _gy, _radius, _cx, _cy, near)
+	return _counted(at) if at >= 0.0 and at <= to else INF
+
+
+func _touches_point_at(seconds: float, cx: float, cy: float, horizon: float) -> bool:
+	if seconds > horizon or seconds == INF:
+		return false
+	var dx := _px - cx + seconds * (_vx + 0.5 * seconds * _gx)
+	var dy := _py - cy + seconds * (_vy + 0.5 * seconds * _gy)
+	var distance := sqrt(dx * dx + dy * dy)
+	time = seconds
+	normal_x = dx / distance if distance > 0.0 else 0.0
+	normal_y = dy / distance if distance > 0.0 else 0.0
+	return true
+
+
+func _exact_parabola() -> ExactParabola:
+	return ExactParabola.new(_px, _py, _vx, _vy, _gx, _gy)

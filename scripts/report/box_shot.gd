@@ -1,0 +1,27 @@
+class_name BoxShot
+extends Shot
+## A flight of the ball in the box; see [BallInBox]. The error is that of its end.
+
+var _speed: float
+
+
+## A flight at so many pixels per second, for so many seconds.
+func _init(speed: float, for_seconds: float) -> void:
+	problem = "ball_in_box"
+	situation = situation_of(speed, for_seconds)
+	ball = BallInBox.ball(speed)
+	segments = BallInBox.walls()
+	seconds = for_seconds
+	_speed = speed
+
+
+## How the situation is named in tables.
+static func situation_of(speed: float, for_seconds: float) -> String:
+	return "%d px/s, %d s" % [speed, for_seconds]
+
+
+## See [method Shot.judge].
+func judge(case: MeasuredCase, end: Vec2, _path: PackedFloat64Array) -> void:
+	case.error = BallInBox.error_of(end, _speed, seconds)
+	if case.error == Measurement.NO_ANSWER:
+		case.note = "the ball has left the box"

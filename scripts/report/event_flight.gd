@@ -1,0 +1,37 @@
+class_name EventFlight
+extends BallFlight
+## A ball's flight in the event world.
+
+## How the ways of holding the segments are named in tables.
+enum Form { WALLS, GRID, SCAN }
+
+var _form: Form
+var _world: EventWorld
+
+
+## A flight in a world of this form; [constant Form.WALLS] is for the box alone.
+func _init(form: Form, method_name: String, of_shot: Shot, at_rate: int) -> void:
+	super(of_shot, at_rate)
+	_form = form
+	method = method_name
+
+
+func _prepare() -> void:
+	_world = EventWorld.new()
+	_world.uses_grid = _form != Form.SCAN
+	if _form == Form.WALLS:
+		var low := Vec2.new(BallInBox.LEFT, BallInBox.TOP)
+		_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM))
+	else:
+		_world.set_segments(shot.segments)
+	_world.set_balls([shot.ball])
+
+
+func _fly(count: int) -> void:
+	var world := _world
+	var start := Time.get_ticks_usec()
+	for i in count:
+		world.advance(step_seconds)
+		_x = world.position_x(0)
+		_y = world.position_y(0)
+	_spent = Time.get_ticks_usec() - start

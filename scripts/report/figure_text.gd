@@ -1,0 +1,26 @@
+class_name FigureText
+extends RefCounted
+## Numbers as the report writes them: two or three digits, and powers of ten where they are far from
+## one.
+
+
+## Such as 12.3, 0.45 or 3.1e-13.
+static func short(value: float) -> String:
+	if value == 0.0:
+		return "0"
+	var power := floori(log(absf(value)) / log(10.0) + 1e-12)
+	if power < -3 or power > 5:
+		return "%.1fe%d" % [value / 10.0 ** power, power]
+	return String.num(value, maxi(2 - power, 0))
+
+
+## The error of a measurement with its unit, or that it has none.
+static func of(row: Measurement) -> String:
+	return "%s %s" % [short(row.error), row.error_unit] if row.has_answer() else "no answer"
+
+
+## One number in relation to another, such as 2.7; "-" where there is no relation.
+static func ratio(one: float, other: float) -> String:
+	if other == 0.0 or not is_finite(one) or not is_finite(other):
+		return "-"
+	return short(one / other)

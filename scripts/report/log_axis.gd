@@ -1,0 +1,82 @@
+class_name LogAxis
+extends RefCounted
+## A logarithmic axis over whole decades, with a row of its own for 0 below and one for "no answer"
+## above, where they are needed.
+
+## What stands at the row of [constant Measurement.NO_ANSWER].
+const NONE_TEXT := "none"
+
+const _SUPERSCRIPTS := "⁰¹²³⁴⁵⁶⁷⁸⁹"
+# So many decades have a label each; with more, every second or third has.
+const _MOST_LABELS := 8
+
+## The power of ten at which the decades begin.
+var first := 0
+## The power of ten at which they end, above [member first].
+var last := 1
+## Whether there is a row for 0.
+var has_zero := false
+## Whether there is a row for no answer.
+var has_none := false
+
+
+## An axis on which these values find a place: 0 or above, or [constant Measurement.NO_ANSWER].
+func _init(values: PackedFloat64Array) -> void:
+	var least := INF
+	var greatest := 0.0
+	for value in values:
+		has_none = has_none or not is_finite(value)
+		has_zero = has_zero or value == 0.0
+		if value > 0.0 and is_finite(value):
+			least = minf(least, value)
+			greatest = maxf(greatest, value)
+	if greatest > 0.0:
+		first = floori(_power(least))
+		last = maxi(ceili(_power(greatest)), first + 1)
+
+
+## Where a value stands: 0 at the low end of the axis, 1 at its high end.
+func place(value: float) -> float:
+	if value == 0.0:
+		return 0.0
+	if not is_finite(value):
+		return 1.0
+	return (_power(value) - first + _rows_below()) / _length()
+
+
+## The values that have a mark and a label.
+func ticks() -> PackedFloat64Array:
+	var found: PackedFloat64Array = []
+	if has_zero:
+		found.append(0.0)
+	var stride := ceili(float(last - first) / _MOST_LABELS)
+	for power in range(first, last + 1, stride):
+		found.append(10.0 ** power)
+	if has_none:
+		found.append(Measurement.NO_ANSWER)
+	return found
+
+
+## What stands at a value of [method ticks], such as 10⁻⁹.
+static func label(value: float) -> String:
+	if value == 0.0:
+		return "0"
+	if not is_finite(value):
+		return NONE_TEXT
+	var text := ""
+	for digit in str(roundi(_power(value))):
+		text += "⁻" if digit == "-" else _SUPERSCRIPTS[digit.to_int()]
+	return "10" + text
+
+
+# The rows for 0 and for no answer are a decade high.
+func _rows_below() -> int:
+	return 1 if has_zero else 0
+
+
+func _length() -> float:
+	return last - first + _rows_below() + (1 if has_none else 0)
+
+
+static func _power(value: float) -> float:
+	return log(value) / log(10.0)

@@ -1,0 +1,22 @@
+@abstract class_name Shot
+extends RefCounted
+## One elastic ball flown among segments without gravity: what every method is given, and how its
+## answer is judged.
+
+## See [member Measurement.problem].
+var problem := ""
+## See [member Measurement.situation].
+var situation := ""
+## The ball at its start; to be copied.
+var ball: Ball
+## What it bounces off.
+var segments: Array[LineSegment] = []
+## How long a measured flight is.
+var seconds := 10.0
+## For so many seconds [method judge] wants to see the path, frame by frame; 0 if the end is enough.
+var path_seconds := 0.0
+
+
+## Sets error, note and figures of [param case] by where the ball is at the end, in pixels, and by
+## [param path]: x, y after each 60th of a second.
+@abstract func judge(case: MeasuredCase, end: Vec2, path: PackedFloat64Array) -> void

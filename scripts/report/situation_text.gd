@@ -1,0 +1,75 @@
+class_name SituationText
+extends RefCounted
+## What the report says of one situation of a problem: one item of a list.
+
+
+## The frontier, how the lab's best stands to the best peers, and who gave no answer.
+static func of(situation: String, rows: Array[Measurement]) -> String:
+	var text := "- **%s**: on the frontier %s." % [situation, _names(Frontier.of(rows))]
+	var own := most_exact(rows, false)
+	if own:
+		text += _against(own, fastest(rows, true), "fastest peer")
+		var exact_peer := most_exact(rows, true)
+		if exact_peer != fastest(rows, true):
+			text += _against(own, exact_peer, "most exact peer")
+	return text + _without_answer(rows)
+
+
+## The fastest of the lab's own or of the peers that gave an answer; null if there is none.
+static func fastest(rows: Array[Measurement], is_peer: bool) -> Measurement:
+	var best: Measurement = null
+	for row in rows:
+		if row.is_peer == is_peer and row.has_answer():
+			if best == null or row.run_time_us < best.run_time_us:
+				best = row
+	return best
+
+
+## The one with the smallest error, the faster one of equal ones; null if there is none.
+static func most_exact(rows: Array[Measurement], is_peer: bool) -> Measurement:
+	var best: Measurement = null
+	for row in rows:
+		if row.is_peer == is_peer and row.has_answer():
+			if best == null or _is_more_exact(row, best):
+				best = row
+	return best
+
+
+## Method and tuning, without the situation.
+static func name_of(row: Measurement) -> String:
+	return row.method if row.tuning == "" else "%s (%s)" % [row.method, row.tuning]
+
+
+static func _is_more_exact(one: Measurement, other: Measurement) -> bool:
+	if one.error == other.error:
+		return one.run_time_us < other.run_time_us
+	return one.error < other.error
+
+
+static func _names(rows: Array[Measurement]) -> String:
+	var texts: PackedStringArray = []
+	for row in rows:
+		var figures := [name_of(row), FigureText.short(row.run_time_us), FigureText.of(row)]
+		texts.append("%s %s µs, %s" % figures)
+	return "; ".join(texts)
+
+
+static func _against(own: Measurement, peer: Measurement, words: String) -> String:
+	if peer == null:
+		return ""
+	var times := FigureText.ratio(peer.run_time_us, own.run_time_us)
+	var errors := FigureText.ratio(peer.error, own.error)
+	var text := " The %s, %s, takes %s times as long as %s" % [
+		words, name_of(peer), times, name_of(own)
+	]
+	if errors == "-":
+		return text + " and is %s off." % FigureText.of(peer)
+	return text + " and is %s times as far off." % errors
+
+
+static func _without_answer(rows: Array[Measurement]) -> String:
+	var texts: PackedStringArray = []
+	for row in rows:
+		if not row.has_answer():
+			texts.append("%s: %s" % [name_of(row), row.note])
+	return " No answer: %s." % "; ".join(texts) if texts else ""

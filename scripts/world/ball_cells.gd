@@ -1,0 +1,143 @@
+class_name BallCells
+extends RefCounted
+## Which balls are near a ball: the plane is laid out in square cells, each with a list of its
+## balls. No cell is smaller than the largest ball, so a ball can touch only balls in its own cell
+## and the eight around it.
+##
+## The plane has no end, the table has: cells that are as many columns or rows apart as the table is
+## wide share an entry. Their balls are asked in vain; no answer changes.
+
+# A table of at least this many columns, so that nine neighbours are nine entries.
+const _FEWEST_COLUMNS := 4
+
+## The edge of a cell, in pixels.
+var size := 1.0
+## The first ball of each cell, -1 for none.
+var first: PackedInt32Array = []
+## The ball behind each ball in its cell, -1 for none.
+var next: PackedInt32Array = []
+## Nine cells for each cell: itself and those around it.
+var neighbors: PackedInt32Array = []
+## The cell of each ball.
+var cell: PackedInt32Array = []
+
+var _columns := 0
+var _previous: PackedInt32Array = []
+# Column and row of each ball in the plane, of any size and sign.
+var _column: PackedInt64Array = []
+var _row: PackedInt64Array = []
+# Which border each ball crosses next: -1 or 1 for a column, -2 or 2 for a row.
+var _border: PackedInt32Array = []
+
+
+## Makes an empty table for so many balls, with cells of [param new_size] pixels.
+func lay_out(new_size: float, balls: int) -> void:
+	size = new_size
+	_columns = _FEWEST_COLUMNS
+	while _columns * _columns < balls:
+		_columns *= 2
+	first.resize(_columns * _columns)
+	first.fill(-1)
+	cell.clear()
+	make_room(balls)
+	_find_neighbors()
+
+
+## Makes room for so many balls; new ones are in no cell.
+func make_room(balls: int) -> void:
+	var old := cell.size()
+	for numbers: PackedInt32Array in [next, _previous, cell, _border]:
+		numbers.resize(balls)
+	_column.resize(balls)
+	_row.resize(balls)
+	for ball in range(old, balls):
+		cell[ball] = -1
+
+
+## Enters a ball with its centre at this place.
+func put(ball: int, x: float, y: float) -> void:
+	_column[ball] = floori(x / size)
+	_row[ball] = floori(y / size)
+	_enter(ball)
+
+
+## Takes a ball out; one that is not there stays so.
+func remove(ball: int) -> void:
+	if cell[ball] < 0:
+		return
+	if _previous[ball] >= 0:
+		next[_previous[ball]] = next[ball]
+	else:
+		first[cell[ball]] = next[ball]
+	if next[ball] >= 0:
+		_previous[next[ball]] = _previous[ball]
+	cell[ball] = -1
+
+
+## Seconds until a ball with this flight leaves its cell; notes over which border.
+func time_to_leave(
+	ball: int,
+	x: float,
+	y: float,
+	velocity_x: float,
+	velocity_y: float,
+	pull_x: float,
+	pull_y: float
+) -> float:
+	var column := _time_to_border(_column[ball], x, velocity_x, pull_x)
+	var row := _time_to_border(_row[ball], y, velocity_y, pull_y)
+	if column <= row:
+		_border[ball] = 1 if velocity_x + pull_x * column > 0.0 else -1
+		return column
+	_border[ball] = 2 if velocity_y + pull_y * row > 0.0 else -2
+	return row
+
+
+## Moves a ball over the border that [method time_to_leave] has noted.
+func cross(ball: int) -> void:
+	remove(ball)
+	var border := _border[ball]
+	if border == 1 or border == -1:
+		_column[ball] += border
+	else:
+		_row[ball] += border >> 1
+	_enter(ball)
+
+
+## All arrays that change while balls move, to be kept and put back.
+func arrays() -> Array:
+	return [first, next, cell, _previous, _column, _row, _border]
+
+
+func _enter(ball: int) -> void:
+	var place := posmod(_row[ball], _columns) * _columns + posmod(_column[ball], _columns)
+	cell[ball] = place
+	_previous[ball] = -1
+	next[ball] = first[place]
+	if first[place] >= 0:
+		_previous[first[place]] = ball
+	first[place] = ball
+
+
+# The first time at which the coordinate crosses a border of its cell outwards.
+func _time_to_border(line: int, from: float, velocity: float, pull: float) -> float:
+	if pull == 0.0:
+		if velocity > 0.0:
+			return maxf(((line + 1) * size - from) / velocity, 0.0)
+		if velocity < 0.0:
+			return maxf((line * size - from) / velocity, 0.0)
+		return INF
+	var below := FreeFlight.time_to_fall(from - line * size, velocity, pull)
+	var above := FreeFlight.time_to_fall((line + 1) * size - from, -velocity, -pull)
+	return minf(below, above)
+
+
+func _find_neighbors() -> void:
+	neighbors.resize(9 * first.size())
+	for place in first.size():
+		var row := place / _columns
+		var column := place % _columns
+		for around in 9:
+			var other_row := posmod(row + around / 3 - 1, _columns)
+			var other_column := posmod(column + around % 3 - 1, _columns)
+			neighbors[9 * place + around] = other_row * _columns + other_column

@@ -1,0 +1,63 @@
+class_name EventQueue
+extends RefCounted
+## Which of many things happens next: a time for each, and the earliest of all without looking at
+## all.
+##
+## A tournament: each pair plays, the earlier one goes on, the winner of all stands at the top. When
+## one time changes, only its own matches are played again: as many as the count has binary digits.
+## Of two equal times the smaller index wins, so that the order is always the same.
+
+## The index that comes first; 0 where nothing is ever to happen.
+var first := 0
+## When that is, in seconds; INF where nothing is ever to happen.
+var first_time := INF
+## The time of each index, in seconds, INF for never. Read it; change it by [method change].
+var times: PackedFloat64Array = []
+
+# A complete binary tree: the children of match k are 2k and 2k + 1, the indices themselves stand
+# behind the last match.
+var _winners: PackedInt32Array = [0, 0]
+var _capacity := 1
+
+
+## Makes room for this many, keeping the times there are; new ones never happen.
+func resize(count: int) -> void:
+	var old := times.size()
+	_capacity = 1
+	while _capacity < count:
+		_capacity *= 2
+	times.resize(_capacity)
+	for index in range(mini(old, count), _capacity):
+		times[index] = INF
+	_winners.resize(2 * _capacity)
+	for index in _capacity:
+		_winners[_capacity + index] = index
+	for index in range(_capacity - 1, 0, -1):
+		_winners[index] = _earlier(_winners[2 * index], _winners[2 * index + 1])
+	_note_first()
+
+
+## Sets the time of one index.
+func change(index: int, time: float) -> void:
+	times[index] = time
+	var place := (_capacity + index) >> 1
+	# Inlined, as every event of a world comes through here.
+	while place > 0:
+		var left := _winners[2 * place]
+		var right := _winners[2 * place + 1]
+		var winner := left if times[left] <= times[right] else right
+		if winner == _winners[place] and winner != index:
+			break
+		_winners[place] = winner
+		place >>= 1
+	first = _winners[1]
+	first_time = times[first]
+
+
+func _note_first() -> void:
+	first = _winners[1]
+	first_time = times[first]
+
+
+func _earlier(left: int, right: int) -> int:
+	return left if times[left] <= times[right] else right
