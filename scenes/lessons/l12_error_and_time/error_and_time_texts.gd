@@ -67,14 +67,18 @@ static func row(title: String, measurement: Measurement, fastest: Measurement) -
 ## The formula lines on the order of the method that is pointed at; [param has_order] where it has
 ## two settings to compare.
 static func formula_lines(has_order: bool) -> PackedStringArray:
-	var lines: PackedStringArray = ["{p} = log( {e1} / {e2} ) / log( {t2} / {t1} )"]
+	var order := "{p} = log( {e1} / {e2} ) / log( {t2} / {t1} )"
 	if has_order:
-		lines.append("   = log( {e1_number} / {e2_number} ) / log( {t2_number} / {t1_number} )")
-		lines.append("   = {p_number}")
-	else:
-		lines.append(_translate("Point at a method with several settings:"))
-		lines.append(_translate("its slope is the order p."))
-	return lines
+		return [
+			order + " = {p_number}",
+			"{e1} / {e2} = {e1_number} / {e2_number}",
+			"{t2} / {t1} = {t2_number} / {t1_number}",
+		]
+	return [
+		order,
+		_translate("Point at a method with several settings:"),
+		_translate("its slope is the order p."),
+	]
 
 
 static func _translate(sentence: String) -> String:
