@@ -114,6 +114,19 @@ func lost_count() -> int:
 	return is_lost.count(1)
 
 
+## The place of the ball at [param point], or within [param reach] pixels of its edge; -1 for none.
+## Lost balls are not found.
+func ball_at(point: Vec2, reach: float) -> int:
+	var nearest := -1
+	var least := reach
+	for i in balls.size():
+		var gap := balls[i].position.distance_to(point) - balls[i].radius
+		if gap <= least and is_lost[i] == 0:
+			nearest = i
+			least = gap
+	return nearest
+
+
 ## The energy of all balls that are not lost: m (v^2 / 2 - g . x), with the height counted from
 ## [method Surroundings.deepest]. In px^2/s^2 for a mass of 1.
 func energy() -> float:

@@ -50,6 +50,15 @@ func set_up(number: int) -> void:
 	_begin()
 
 
+## Another model, at the start of the situation that was picked last.
+func start_again() -> AngledLinesModel:
+	var fresh := AngledLinesModel.new()
+	fresh.method = method
+	fresh.mistake = mistake
+	fresh.set_up(scene)
+	return fresh
+
+
 ## Puts up the situation of [param other], such as that of a question.
 func take(other: SteppedWorld) -> void:
 	selected = 0
@@ -105,6 +114,11 @@ func go_to(seconds: float) -> String:
 	var problem := timeline.go_to(seconds)
 	last_bounce = timeline.last_bounce(selected)
 	return problem
+
+
+## Seconds that have passed in the world.
+func elapsed_seconds() -> float:
+	return timeline.elapsed_seconds() if timeline else world.frames * FRAME
 
 
 ## Energy now as a share of the energy at the start: of [member world], or of [member wrong_world].
@@ -172,24 +186,12 @@ func ball() -> Ball:
 	return world.balls[selected]
 
 
-## The place of the ball at [param point], or within [param reach] pixels of its edge; -1 for none.
-func ball_at(point: Vec2, reach: float) -> int:
-	var nearest := -1
-	var least := reach
-	for i in world.balls.size():
-		var gap := world.balls[i].position.distance_to(point) - world.balls[i].radius
-		if gap <= least and world.is_lost[i] == 0:
-			nearest = i
-			least = gap
-	return nearest
-
-
 ## Brings every lost ball back to where it began.
 func fetch_balls() -> void:
 	for some in _worlds():
 		_starts.fetch(some)
 	if timeline:
-		_begin_timeline()
+		timeline = EventTimeline.new(world)
 
 
 ## All of it, for undo and links.
@@ -231,11 +233,7 @@ func _begin() -> void:
 	_first_energy = world.energy()
 	timeline = null
 	if method == SteppedWorld.Method.EVENT_WORLD:
-		_begin_timeline()
-
-
-func _begin_timeline() -> void:
-	timeline = EventTimeline.new(world)
+		timeline = EventTimeline.new(world)
 
 
 func _worlds() -> Array[SteppedWorld]:

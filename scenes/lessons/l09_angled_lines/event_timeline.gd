@@ -56,6 +56,11 @@ func go_to(seconds: float) -> String:
 	return problem
 
 
+## Seconds that have passed in the world, with those before the timeline was begun.
+func elapsed_seconds() -> float:
+	return _first_frames * AngledLinesModel.FRAME + time
+
+
 ## The impacts of a ball from the beginning until [param seconds], and those known beyond.
 func impacts(index: int, seconds: float) -> Array[WorldEvent]:
 	if index != _forecast_index:
@@ -117,7 +122,7 @@ func _show(index: int) -> void:
 	ball.position = _worlds[index].position(0)
 	ball.velocity = _worlds[index].velocity(0)
 	_world.bounces += _worlds[index].impacts
-	_world.is_lost[index] = 0 if _world.reaches(ball.position) else 1
+	_world.is_lost[index] = 0 if SteppedWorld.reaches(ball.position) else 1
 	for event in _worlds[index].events:
 		if event.kind == WorldEvent.Kind.SEGMENT:
 			_world.latest_bounces.append(_record(event, index))
