@@ -1,5 +1,5 @@
 class_name CollideFlight
-extends BallFlight
+extends ShotFlight
 ## A ball's flight by move_and_collide, as its documentation has it: with the default margin, and
 ## the rest of the motion bounced and used until it is used up.
 ##

@@ -1,5 +1,5 @@
 class_name MotionTestFlight
-extends BallFlight
+extends ShotFlight
 ## A ball's flight by PhysicsServer2D.body_test_motion: the engine says how far the motion is safe
 ## and which way the wall faces; position and velocity are kept here.
 

@@ -13,8 +13,20 @@ static func of(problem_id: String, is_quick: bool, host: Node) -> Array[Measured
 				found.append(Vector2Projection.new(situation, is_quick))
 		"ball_in_box":
 			found = ShotPeers.in_box(is_quick, host)
+		"angled_lines":
+			found = ShotPeers.among_lines(is_quick, host)
+		"many_segments":
+			found = ShotPeers.among_many(host)
 		"dropped_ball":
 			for bounciness in DroppedBall.BOUNCINESSES:
 				for rate: int in [60] if is_quick else [60, 240]:
 					found.append(RigidDrop.new(host, bounciness, rate))
+		"many_balls":
+			for crowd in ManyBallsProblem.crowds(is_quick):
+				for rate: int in [60, 240]:
+					found.append(RigidCrowd.new(host, crowd, rate))
+		"digits_of_pi":
+			for n in DigitsOfPiProblem.numbers(is_quick):
+				for rate: int in [60, 960]:
+					found.append(RigidPi.new(host, n, rate))
 	return found

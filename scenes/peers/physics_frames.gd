@@ -1,11 +1,15 @@
 class_name PhysicsFrames
 extends RefCounted
-## Runs physics frames of the engine at a rate, as fast as they come, and says what they take.
+## Runs physics frames of the engine at a rate, as fast as they come, and says what they take. What
+## a step takes in which nothing moves is taken off.
 
 const _USUAL_RATE := 60
-const _EMPTY_FRAMES := 120
+const _USUAL_MOST_STEPS := 8
+const _EMPTY_STEPS := 120
 
 var _tree: SceneTree
+# Microseconds of a step in which nothing moves.
+var _empty := 0.0
 
 
 ## Waits for frames of this tree, which has to be started with --fixed-fps.
@@ -14,18 +18,20 @@ func _init(tree: SceneTree) -> void:
 
 
 ## Sets the rate, and waits until a step is about to be made: what is put into the tree then is
-## there from its first step on.
+## there from its first step on. Until then nothing may be there that moves.
 func begin(rate: int) -> void:
 	Engine.physics_ticks_per_second = rate
-	Engine.max_physics_steps_per_frame = maxi(8, ceili(2.0 * rate / _USUAL_RATE))
+	Engine.max_physics_steps_per_frame = maxi(_USUAL_MOST_STEPS, ceili(2.0 * rate / _USUAL_RATE))
 	await _tree.physics_frame
 	await _tree.physics_frame
+	_empty = 0.0
+	_empty = await pass_by(_EMPTY_STEPS, _nothing) / _EMPTY_STEPS
 
 
 ## Sets the rate back to the usual.
 func end() -> void:
 	Engine.physics_ticks_per_second = _USUAL_RATE
-	Engine.max_physics_steps_per_frame = 8
+	Engine.max_physics_steps_per_frame = _USUAL_MOST_STEPS
 
 
 ## Makes so many steps, and calls [param read] after each; microseconds of all of it.
@@ -34,13 +40,7 @@ func pass_by(steps: int, read: Callable) -> float:
 	for i in steps:
 		await _tree.physics_frame
 		read.call()
-	return Time.get_ticks_usec() - start
-
-
-## Microseconds of one step at this rate in which nothing moves: to be measured before anything is
-## put into the tree, and to be taken off.
-func empty_step() -> float:
-	return await pass_by(_EMPTY_FRAMES, _nothing) / _EMPTY_FRAMES
+	return maxf(Time.get_ticks_usec() - start - _empty * steps, 1.0)
 
 
 static func _nothing() -> void:

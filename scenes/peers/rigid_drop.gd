@@ -1,10 +1,10 @@
 class_name RigidDrop
 extends DropCase
-## The dropped ball by RigidBody2D, on a floor of one segment. What a frame takes in which nothing
-## moves is taken off.
+## The dropped ball by RigidBody2D, on a floor of one segment.
 
 var _host: Node
 var _space: PeerSpace
+var _frames: PhysicsFrames
 var _body: RID
 
 
@@ -17,29 +17,23 @@ func _init(host: Node, with_bounciness: float, at_rate: int) -> void:
 
 
 func _prepare() -> void:
-	pass
+	_frames = PhysicsFrames.new(_host.get_tree())
+	await _frames.begin(rate)
+	_space = PeerSpace.new(_host)
+	_space.set_gravity(DroppedBall.GRAVITY)
+	_space.add_walls(DroppedBall.floors(), false)
+	var body := _space.add_rigid_ball(DroppedBall.ball(), RigidBody2D.CCD_MODE_DISABLED)
+	body.physics_material_override.bounce = bounciness
+	_body = body.get_rid()
 
 
 func _fly(count: int) -> void:
-	var frames := PhysicsFrames.new(_host.get_tree())
-	await frames.begin(rate)
-	var empty := await frames.empty_step()
-	_space = PeerSpace.new(_host)
-	_space.set_gravity(DroppedBall.GRAVITY)
-	_space.add_walls([LineSegment.new(Vec2.new(-500.0, 0.0), Vec2.new(500.0, 0.0))], false)
-	var start := Vec2.new(0.0, -DroppedBall.HEIGHT - DroppedBall.RADIUS)
-	var body := _space.add_rigid_ball(
-		Ball.new(start, DroppedBall.RADIUS), RigidBody2D.CCD_MODE_DISABLED
-	)
-	body.physics_material_override.bounce = bounciness
-	_body = body.get_rid()
-	var spent := await frames.pass_by(count, _read)
-	frames.end()
-	_spent = maxf(spent - empty * count, 1.0)
+	_spent = await _frames.pass_by(count, _read)
 
 
 func _clear() -> void:
 	_space.free()
+	_frames.end()
 
 
 # What the server knows: the node is a step behind.

@@ -17,6 +17,26 @@ static func in_box(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	return found
 
 
+## All of them, for the ball among angled lines.
+static func among_lines(is_quick: bool, host: Node) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	var shot := LinesShot.new()
+	for rate in AngledLinesProblem.rates(is_quick):
+		found.append_array(moved(host, shot, rate))
+		found.append_array(rigid(host, shot, rate, true))
+	return found
+
+
+## One concave shape of all segments: among as many shapes of their own a body jams.
+static func among_many(host: Node) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for count in ManySegmentsProblem.COUNTS:
+		var shot := ManySegmentsShot.new(count)
+		found.append(CollideFlight.new(host, true, shot, 60))
+		found.append(MotionTestFlight.new(host, true, shot, 60))
+	return found
+
+
 ## By move_and_collide and body_test_motion, each among segments and against one concave shape.
 static func moved(host: Node, shot: Shot, rate: int) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []

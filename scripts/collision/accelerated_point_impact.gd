@@ -7,11 +7,11 @@ extends RefCounted
 ## part against the contact normal. A ball that touches or overlaps already has it at time 0 if it
 ## approaches; if it moves away or along, it has one only when it comes back after it was clear.
 ## [br][br]
-## It is a downward root of the quartic |d + v t + g t² / 2|² - r². The quartic is bent upwards,
-## then perhaps downwards, then upwards again; a quadratic gives the two times between. In a part
-## bent upwards Newton's method runs up to the root from the left, in one bent downwards from the
-## right, and never past it: so what it finds is the first root, and there is none where the slope
-## turns round on the way. What rounding hides is settled by [GrazingEntry] and [ExactParabola].
+## It is a downward root of the quartic |d + v t + g t² / 2|² - r², which is bent upwards, then
+## perhaps downwards, then upwards again; a quadratic gives the times between. Newton's method runs
+## up to the root from the left where it is bent upwards, from the right where downwards, and never
+## past it: it finds the first root, and there is none where the slope turns round on the way. What
+## rounding hides is settled by [GrazingEntry] and [ExactParabola].
 ## [br][br]
 ## A search makes one of these, sets the flight once and calls it for each point: nothing is
 ## allocated, and all numbers are plain. The results mean nothing after a call that returned false.
@@ -19,13 +19,13 @@ extends RefCounted
 ## Rounding changes a sum by less than this, times the terms it is made of.
 const NOISE := 16.0 / 2.0 ** 52
 
-## Below this the square of an acceleration has lost its digits, and pulls nothing anyway.
+## Below this the square of an acceleration has lost digits, and pulls nothing anyway.
 const _FAINT := 1e-280
 
 ## A step of Newton's method below this part of the time is the last one.
 const _LAST_STEP := 4.0 / 2.0 ** 52
 
-## Halvings from far away, and then to a root that is nearly double: more than both need.
+## More than the halvings from far away and those to a nearly double root.
 const _MOST_STEPS := 90
 
 ## Seconds until the impact; 0 where the ball touches already.
@@ -44,7 +44,7 @@ var _gy := 0.0
 var _radius := 0.0
 var _squared_radius := 0.0
 
-# The point, the way from it to the centre at time 0, and which side of it counts.
+# The point, from it to the centre at time 0, and which side of it counts.
 var _cx := 0.0
 var _cy := 0.0
 var _dx := 0.0
@@ -92,9 +92,9 @@ func with_point(cx: float, cy: float, horizon: float) -> bool:
 			to = (away + reach) / speed
 		elif absf(away) > reach:
 			return false
-	if from > to or from > horizon:
-		return false
-	return _touches_point_at(_first_entry(cx, cy, from, to), cx, cy, horizon)
+	if from <= minf(to, horizon):
+		return _touches_point_at(_first_entry(cx, cy, from, to), cx, cy, horizon)
+	return false
 
 
 # Whether the centre is inside the circle about (cx, cy), or on it, at the time 0.
@@ -102,9 +102,8 @@ func _starts_inside(cx: float, cy: float) -> bool:
 	var dx := _px - cx
 	var dy := _py - cy
 	var squared := dx * dx + dy * dy
-	var gap := squared - _squared_radius
-	if absf(gap) > NOISE * squared:
-		return gap <= 0.0
+	if absf(squared - _squared_radius) > NOISE * squared:
+		return squared <= _squared_radius
 	return _exact_parabola().squared_gap(cx, cy, _radius, 0.0) <= 0.0
 
 
@@ -194,18 +193,24 @@ func _from_left(from: float, to: float) -> float:
 func _from_right(from: float, to: float) -> float:
 	var at := to
 	for count in _MOST_STEPS:
+		var ux := _vx + at * _gx
+		var uy := _vy + at * _gy
 		var x := _dx + at * (_vx + 0.5 * at * _gx)
 		var y := _dy + at * (_vy + 0.5 * at * _gy)
 		var gap := x * x + y * y - _squared_radius
-		var growth := x * (_vx + at * _gx) + y * (_vy + at * _gy)
-		if growth >= 0.0 or (gap >= 0.0 and count == 0):
+		var growth := x * ux + y * uy
+		if gap >= 0.0 and count == 0:
 			return INF
 		var step := 0.5 * gap / growth
+		if growth >= 0.0 or step <= _LAST_STEP * at:
+			var bend := ux * ux + uy * uy + x * _gx + y * _gy
+			if absf(gap - growth * growth / bend) <= _noise_at(at, x, y):
+				return _grazing_entry(at - growth / bend, to)
+			return INF if growth >= 0.0 else _counted(at - step)
 		at -= step
 		if at < from:
-			return _counted(from) if _is_outside_at(from) else INF
-		if step <= _LAST_STEP * at:
-			break
+			# Inside at the start of this part: none. Outside, but for rounding: there it is.
+			return _from_left(from, to)
 	return _counted(at)
 
 
@@ -214,12 +219,6 @@ func _counted(at: float) -> float:
 	var x := _dx + at * (_vx + 0.5 * at * _gx)
 	var y := _dy + at * (_vy + 0.5 * at * _gy)
 	return maxf(at, 0.0) if x * _outward_x + y * _outward_y >= 0.0 else INF
-
-
-func _is_outside_at(at: float) -> bool:
-	var x := _dx + at * (_vx + 0.5 * at * _gx)
-	var y := _dy + at * (_vy + 0.5 * at * _gy)
-	return x * x + y * y > _squared_radius
 
 
 # What rounding can change of the quartic.

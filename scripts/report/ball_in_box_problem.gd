@@ -14,6 +14,7 @@ const EVENT_WORLD := "event world"
 
 func _init() -> void:
 	id = "ball_in_box"
+	champion = EVENT_WORLD
 	title = "One ball in a box"
 	question = (
 		"A ball of 10 px radius in a box of 600 x 400 px, without gravity, C = 1, read after each"
@@ -28,9 +29,7 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 		for rate in rates(shot, is_quick):
 			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
 			found.append(
-				EventFlight.new(
-					EventFlight.Form.GRID, "event world, walls as segments", shot, rate
-				)
+				EventFlight.new(EventFlight.Form.GRID, "event world, walls as segments", shot, rate)
 			)
 			for way in SteppedFlight.METHODS:
 				found.append(SteppedFlight.new(way, shot, rate))

@@ -18,6 +18,16 @@ const SECONDS := 60.0
 const BOUNCINESSES: PackedFloat64Array = [1.0, 0.8, 0.5, 0.0]
 
 
+## The ball at its start, at rest.
+static func ball() -> Ball:
+	return Ball.new(Vec2.new(0.0, -HEIGHT - RADIUS), RADIUS)
+
+
+## The floor, a level segment through the origin.
+static func floors() -> Array[LineSegment]:
+	return [LineSegment.new(Vec2.new(-500.0, 0.0), Vec2.new(500.0, 0.0))]
+
+
 ## The height in pixels after [param seconds], with 106 bits before it is rounded.
 static func height_after(seconds: float, bounciness: float) -> float:
 	if seconds >= rest_time(bounciness):

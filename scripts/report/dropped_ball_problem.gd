@@ -13,10 +13,13 @@ const _QUICK_STIFFNESSES: PackedInt32Array = [2, 4, 6, 8, 10]
 
 func _init() -> void:
 	id = "dropped_ball"
+	champion = EventDrop.METHOD
 	title = "A dropped ball, for a minute"
 	question = (
-		"A ball is dropped from %d px at %d px/s^2; after %d s its height is compared with the exact"
-		% [DroppedBall.HEIGHT, DroppedBall.GRAVITY, DroppedBall.SECONDS]
+		(
+			"A ball is dropped from %d px at %d px/s^2; after %d s its height is compared with the exact"
+			% [DroppedBall.HEIGHT, DroppedBall.GRAVITY, DroppedBall.SECONDS]
+		)
 		+ " one. Penalty springs of growing stiffness push it out of the floor."
 	)
 	error_axis = "error of the height, px"
@@ -27,6 +30,7 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for bounciness in DroppedBall.BOUNCINESSES:
 		for rate in _QUICK_RATES if is_quick else _RATES:
+			found.append(EventDrop.new(bounciness, rate))
 			for way in IntegratorDrop.METHODS:
 				found.append(IntegratorDrop.new(way, bounciness, rate))
 			for power in _QUICK_STIFFNESSES if is_quick else _STIFFNESSES:

@@ -1,5 +1,5 @@
 class_name EventFlight
-extends BallFlight
+extends ShotFlight
 ## A ball's flight in the event world.
 
 ## How the ways of holding the segments are named in tables.

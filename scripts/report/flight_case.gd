@@ -18,6 +18,7 @@ var step_seconds: float
 
 # Microseconds that the steps of the latest _fly have taken.
 var _spent := 0.0
+var _is_set_up := false
 
 
 ## A flight of so many seconds and steps a second.
@@ -34,7 +35,8 @@ func run_once() -> void:
 	var flights := 0
 	var spent := 0.0
 	while spent < _SHORTEST_RUN:
-		_prepare()
+		@warning_ignore("redundant_await")
+		await _set_up()
 		@warning_ignore("redundant_await")
 		await _fly(steps)
 		spent += _spent
@@ -42,18 +44,34 @@ func run_once() -> void:
 		if runs() == 0 and flights == 1:
 			@warning_ignore("redundant_await")
 			await _find_error()
-		_clear()
+		_tear_down()
 	keep_run(spent / flights / seconds)
 
 
-## Puts everything to the start; takes no part of the time.
-@abstract func _prepare() -> void
+## See [method MeasuredCase.finish].
+func finish() -> void:
+	_tear_down()
 
+
+func _set_up() -> void:
+	_tear_down()
+	@warning_ignore("redundant_await")
+	await _prepare()
+	_is_set_up = true
+
+
+func _tear_down() -> void:
+	if _is_set_up:
+		_clear()
+	_is_set_up = false
+
+
+## Puts everything to the start; takes no part of the time, and may have to be awaited.
+@abstract func _prepare() -> void
 
 ## Makes so many steps, reads after each where things are, and sets how long it took; may have to
 ## be awaited.
 @abstract func _fly(count: int) -> void
-
 
 ## Finds how wrong the end is, once; may have to be awaited.
 @abstract func _find_error() -> void

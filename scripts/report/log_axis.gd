@@ -7,9 +7,8 @@ extends RefCounted
 const NONE_TEXT := "none"
 
 const _SUPERSCRIPTS := "⁰¹²³⁴⁵⁶⁷⁸⁹"
-# So many decades have a label each; with more, every second or third has.
-const _MOST_LABELS := 8
-
+# The rows for 0 and for no answer have this share of the height of all decades.
+const _ROW_SHARE := 0.1
 ## The power of ten at which the decades begin.
 var first := 0
 ## The power of ten at which they end, above [member first].
@@ -44,12 +43,13 @@ func place(value: float) -> float:
 	return (_power(value) - first + _rows_below()) / _length()
 
 
-## The values that have a mark and a label.
-func ticks() -> PackedFloat64Array:
+## The values that have a mark and a label. Where there would be more than [param most] decades,
+## every second or third has one.
+func ticks(most: int) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	if has_zero:
 		found.append(0.0)
-	var stride := ceili(float(last - first) / _MOST_LABELS)
+	var stride := ceili(float(last - first) / most)
 	for power in range(first, last + 1, stride):
 		found.append(10.0 ** power)
 	if has_none:
@@ -69,13 +69,16 @@ static func label(value: float) -> String:
 	return "10" + text
 
 
-# The rows for 0 and for no answer are a decade high.
-func _rows_below() -> int:
-	return 1 if has_zero else 0
+func _row() -> float:
+	return maxf(1.0, _ROW_SHARE * (last - first))
+
+
+func _rows_below() -> float:
+	return _row() if has_zero else 0.0
 
 
 func _length() -> float:
-	return last - first + _rows_below() + (1 if has_none else 0)
+	return last - first + _rows_below() + (_row() if has_none else 0.0)
 
 
 static func _power(value: float) -> float:

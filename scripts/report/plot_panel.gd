@@ -4,6 +4,8 @@ extends RefCounted
 
 const _INK := Palette.Role.INK
 const _SMALL := 17
+# Room between the outermost points and the edge of the field.
+const _INSET := 16.0
 
 ## The left edge of the field, and its upper one, width and height.
 var left: float
@@ -31,7 +33,9 @@ func draw(
 	_draw_frontier(picture, Frontier.of(rows))
 	for row in rows:
 		var words := "%s, %s" % [row.method, row.setting]
-		words += ": %s µs, %s %s" % [FigureText.short(row.run_time_us), FigureText.of(row), row.note]
+		words += (
+			": %s µs, %s %s" % [FigureText.short(row.run_time_us), FigureText.of(row), row.note]
+		)
 		picture.add(markers[row.method].element(_x(row), _y(row), 6.5, words))
 
 
@@ -55,12 +59,12 @@ func _draw_settings(picture: SvgText, rows: Array[Measurement], marker: PlotMark
 func _draw_field(picture: SvgText) -> void:
 	var grid := SvgText.hex(Palette.GRID)
 	var ink := _color(Palette.Role.QUIET)
-	for tick in times.ticks():
-		var x := left + width * times.place(tick)
+	for tick in times.ticks(floori(width / 50.0)):
+		var x := _across(tick)
 		picture.line(x, top, x, top + height, grid)
 		picture.text(LogAxis.label(tick), x, top + height + 22.0, _SMALL, ink, "middle")
-	for tick in errors.ticks():
-		var y := top + height * (1.0 - errors.place(tick))
+	for tick in errors.ticks(floori(height / 32.0)):
+		var y := _down(tick)
 		picture.line(left, y, left + width, y, grid)
 		picture.text(LogAxis.label(tick), left - 8.0, y + 6.0, _SMALL, ink, "end")
 	var axis := SvgText.hex(Palette.AXIS)
@@ -73,11 +77,19 @@ func _rows_of(method: String, rows: Array[Measurement]) -> Array[Measurement]:
 
 
 func _x(row: Measurement) -> float:
-	return left + width * times.place(row.run_time_us)
+	return _across(row.run_time_us)
 
 
 func _y(row: Measurement) -> float:
-	return top + height * (1.0 - errors.place(row.error))
+	return _down(row.error)
+
+
+func _across(time: float) -> float:
+	return left + _INSET + (width - 2.0 * _INSET) * times.place(time)
+
+
+func _down(error: float) -> float:
+	return top + _INSET + (height - 2.0 * _INSET) * (1.0 - errors.place(error))
 
 
 func _color(role: Palette.Role) -> String:

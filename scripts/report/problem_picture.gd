@@ -53,8 +53,10 @@ static func in_situation(situation: String, rows: Array[Measurement]) -> Array[M
 
 
 static func _columns(count: int) -> int:
-	# Four stand better two by two.
-	return 2 if count == 4 else mini(count, _MOST_COLUMNS)
+	# Four stand better two by two; more than six would need too many rows.
+	if count == 4:
+		return 2
+	return mini(count, _MOST_COLUMNS if count <= 2 * _MOST_COLUMNS else _MOST_COLUMNS + 1)
 
 
 static func _values(rows: Array[Measurement], are_times: bool) -> PackedFloat64Array:
@@ -85,6 +87,6 @@ static func _draw_legend(
 		index += 1
 	var left := _MARGIN + (index % _LEGEND_COLUMNS) * column
 	var line := top + floorf(float(index) / _LEGEND_COLUMNS) * _LEGEND_ROW + 10.0
-	picture.path([left - 30.0, line, left + 10.0, line], ink, 2.5, PlotMarker.DASHES)
-	picture.add(PlotMarker.ring(left - 10.0, line))
-	picture.text("frontier: none is better in both", left + 18.0, line + 6.0, 18, ink)
+	picture.path([left - 10.0, line, left + 30.0, line], ink, 2.5, PlotMarker.DASHES)
+	picture.add(PlotMarker.ring(left + 10.0, line))
+	picture.text("frontier: none is better in both", left + 38.0, line + 6.0, 18, ink)

@@ -11,6 +11,8 @@ var id := ""
 var title := ""
 ## What is asked of the methods, and what their error is: one or two sentences.
 var question := ""
+## The method that the peers are put in relation to; "" for the most exact of the lab's own.
+var champion := ""
 ## The horizontal axis of the picture.
 var run_time_axis := "run time, µs per simulated second"
 ## The vertical axis of the picture.

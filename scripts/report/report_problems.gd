@@ -5,4 +5,12 @@ extends RefCounted
 
 ## Fresh ones.
 static func all() -> Array[ReportProblem]:
-	return [ScalarProjectionProblem.new(), BallInBoxProblem.new(), DroppedBallProblem.new()]
+	return [
+		ScalarProjectionProblem.new(),
+		BallInBoxProblem.new(),
+		AngledLinesProblem.new(),
+		ManySegmentsProblem.new(),
+		DroppedBallProblem.new(),
+		ManyBallsProblem.new(),
+		DigitsOfPiProblem.new(),
+	]

@@ -10,9 +10,11 @@ static func of(
 	var parts: PackedStringArray = [
 		"# Error against run time",
 		circumstances,
-		"A method is on the frontier of a situation if no other is at least as good in error and in"
-		+ " run time and better in one of them. Peers are the engine's own methods and other"
-		+ " libraries. Every number is in [error_vs_time.csv](error_vs_time.csv).",
+		(
+			"A method is on the frontier of a situation if no other is at least as good in error and in"
+			+ " run time and better in one of them. Peers are the engine's own methods and other"
+			+ " libraries. Every number is in [error_vs_time.csv](error_vs_time.csv)."
+		),
 		_goals(measurements),
 	]
 	for problem in problems:
@@ -34,7 +36,9 @@ static func _goals(measurements: Array[Measurement]) -> String:
 		"|---|---|---|---|",
 	]
 	for goal in ReportGoals.of(measurements):
-		lines.append("| %s | %s | %s | %s |" % [goal.what, goal.wanted, goal.measured, goal.verdict()])
+		lines.append(
+			"| %s | %s | %s | %s |" % [goal.what, goal.wanted, goal.measured, goal.verdict()]
+		)
 	return "\n".join(lines)
 
 
@@ -47,7 +51,7 @@ static func _problem(problem: ReportProblem, rows: Array[Measurement]) -> String
 	var situations: PackedStringArray = []
 	for situation in ProblemPicture.situations_in(rows):
 		var rows_there := ProblemPicture.in_situation(situation, rows)
-		situations.append(SituationText.of(situation, rows_there))
+		situations.append(SituationText.of(situation, rows_there, problem.champion))
 	parts.append("\n".join(situations))
 	var more := problem.remarks(rows)
 	if more:

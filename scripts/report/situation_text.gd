@@ -3,10 +3,12 @@ extends RefCounted
 ## What the report says of one situation of a problem: one item of a list.
 
 
-## The frontier, how the lab's best stands to the best peers, and who gave no answer.
-static func of(situation: String, rows: Array[Measurement]) -> String:
+## The frontier, how the best peers stand to the method [param champion] (or to the most exact of
+## the lab's own), and who gave no answer.
+static func of(situation: String, rows: Array[Measurement], champion: String) -> String:
 	var text := "- **%s**: on the frontier %s." % [situation, _names(Frontier.of(rows))]
-	var own := most_exact(rows, false)
+	var champions := rows.filter(func(row: Measurement) -> bool: return row.method == champion)
+	var own := fastest(champions, false) if champion else most_exact(rows, false)
 	if own:
 		text += _against(own, fastest(rows, true), "fastest peer")
 		var exact_peer := most_exact(rows, true)
@@ -59,17 +61,23 @@ static func _against(own: Measurement, peer: Measurement, words: String) -> Stri
 		return ""
 	var times := FigureText.ratio(peer.run_time_us, own.run_time_us)
 	var errors := FigureText.ratio(peer.error, own.error)
-	var text := " The %s, %s, takes %s times as long as %s" % [
-		words, name_of(peer), times, name_of(own)
-	]
+	var text := (
+		" The %s, %s, takes %s times as long as %s" % [words, name_of(peer), times, name_of(own)]
+	)
 	if errors == "-":
 		return text + " and is %s off." % FigureText.of(peer)
 	return text + " and is %s times as far off." % errors
 
 
 static func _without_answer(rows: Array[Measurement]) -> String:
-	var texts: PackedStringArray = []
+	var tunings: Dictionary[String, PackedStringArray] = {}
 	for row in rows:
 		if not row.has_answer():
-			texts.append("%s: %s" % [name_of(row), row.note])
+			var key := "%s (%%s): %s" % [row.method.replace("%", "%%"), row.note.replace("%", "%%")]
+			var known: PackedStringArray = tunings.get(key, PackedStringArray())
+			known.append(row.tuning)
+			tunings[key] = known
+	var texts: PackedStringArray = []
+	for key in tunings:
+		texts.append(key % ", ".join(tunings[key]))
 	return " No answer: %s." % "; ".join(texts) if texts else ""

@@ -1,5 +1,5 @@
 class_name SteppedFlight
-extends BallFlight
+extends ShotFlight
 ## A ball's flight in one of the lecture's ways of stepping.
 
 ## How the ways are named in tables.
@@ -26,7 +26,7 @@ func _init(way: SteppedWorld.Method, of_shot: Shot, at_rate: int) -> void:
 ## stays between them.
 func run_once() -> void:
 	if runs() % _PARTS == 0:
-		_prepare()
+		_set_up()
 	_fly(floori(float(steps) / _PARTS))
 	keep_run(_spent * _PARTS / seconds)
 	if runs() == _PARTS:

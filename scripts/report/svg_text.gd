@@ -66,10 +66,12 @@ func upright_text(words: String, x: float, y: float, size: int, color: String) -
 	var parts := [size, color, x, y, escaped(words)]
 	_elements.append(
 		(
-			'<text font-size="%d" fill="%s" text-anchor="middle" '
-			+ 'transform="translate(%.1f %.1f) rotate(-90)">%s</text>'
+			(
+				'<text font-size="%d" fill="%s" text-anchor="middle" '
+				+ 'transform="translate(%.1f %.1f) rotate(-90)">%s</text>'
+			)
+			% parts
 		)
-		% parts
 	)
 
 

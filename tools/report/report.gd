@@ -3,6 +3,7 @@ extends SceneTree
 ## Usage: godot --headless --fixed-fps 60 --path . -s tools/report/report.gd
 ## -- [--quick] [--problems=NUMBER,...]
 
+const OtherLibraries := preload("other_libraries.gd")
 const ReportFiles := preload("report_files.gd")
 const Runner := preload("runner.gd")
 
@@ -23,9 +24,11 @@ func _init() -> void:
 	await process_frame
 	var problems := _wanted_problems()
 	var measurements: Array[Measurement] = []
+	var others := OtherLibraries.measurements()
 	for problem: ReportProblem in problems:
 		measurements.append_array(await Runner.measure(problem, _is_quick, root))
-	ReportFiles.write(problems, measurements)
+		measurements.append_array(ReportText.of_problem(problem.id, others))
+	ReportFiles.write(problems, measurements, " --quick" if _is_quick else "")
 	quit()
 
 

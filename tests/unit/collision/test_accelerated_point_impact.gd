@@ -60,6 +60,12 @@ func test_the_first_of_two_entries_counts() -> void:
 	assert_almost_eq(_solver.time, 3.0 + sqrt(8.0), 1e-14)
 
 
+func test_a_ball_pressed_along_the_point_that_it_touches_does_not_impact() -> void:
+	# Touching, moving along, and pulled inwards: from now on it overlaps until it falls out below.
+	_solver.set_flight(-60, -25, -5, 12, 0, 687.947606674021, 65)
+	assert_false(_touches(0, 0))
+
+
 func test_a_ball_far_away_across_the_acceleration_is_a_miss() -> void:
 	_solver.set_flight(0, 0, 0, 5, 0, 10, 3)
 	assert_false(_touches(3.5, 100))

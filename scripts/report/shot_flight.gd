@@ -1,4 +1,4 @@
-@abstract class_name BallFlight
+@abstract class_name ShotFlight
 extends FlightCase
 ## The flight of one ball by one method, read after every step: where it ends, and what it takes.
 
@@ -20,22 +20,29 @@ func _init(of_shot: Shot, at_rate: int) -> void:
 	situation = shot.situation
 
 
+## A run of a shot that goes on begins where the last one has ended.
+func run_once() -> void:
+	if not shot.goes_on:
+		@warning_ignore("redundant_await")
+		await super()
+		return
+	if runs() == 0:
+		@warning_ignore("redundant_await")
+		await _find_error()
+	@warning_ignore("redundant_await")
+	await _fly(steps)
+	keep_run(_spent / seconds)
+
+
 func _find_error() -> void:
 	var end := Vec2.new(_x, _y)
 	var path: PackedFloat64Array = []
 	if shot.path_seconds > 0.0:
-		_clear()
 		@warning_ignore("redundant_await")
-		path = await _path_of(roundi(shot.path_seconds * _FRAMES_PER_SECOND))
+		await _set_up()
+		for frame in roundi(shot.path_seconds * _FRAMES_PER_SECOND):
+			@warning_ignore("redundant_await")
+			await _fly(floori(float(rate) / _FRAMES_PER_SECOND))
+			path.append(_x)
+			path.append(_y)
 	shot.judge(self, end, path)
-
-
-# Flies once more, frame by frame: x, y after each.
-func _path_of(frames: int) -> PackedFloat64Array:
-	var path: PackedFloat64Array = []
-	_prepare()
-	for frame in frames:
-		_fly(floori(float(rate) / _FRAMES_PER_SECOND))
-		path.append(_x)
-		path.append(_y)
-	return path

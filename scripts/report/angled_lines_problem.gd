@@ -1,0 +1,34 @@
+class_name AngledLinesProblem
+extends ReportProblem
+## The third problem: one ball among angled lines, until it is a pixel off the exact path.
+
+# Steps a second.
+const _RATES: PackedInt32Array = [60, 240, 960]
+const _QUICK_RATES: PackedInt32Array = [60, 240]
+
+
+func _init() -> void:
+	id = "angled_lines"
+	champion = BallInBoxProblem.EVENT_WORLD
+	title = "One ball among angled lines"
+	question = (
+		"Each bounce off lines and their ends makes an error grow. How many bounces of the exact path"
+		+ " (106 bits) does a method follow until it is 1 px off? The error is 1 over that number."
+	)
+	error_axis = "1 / bounces until 1 px off"
+
+
+## See [method ReportProblem.cases].
+func cases(is_quick: bool) -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	var shot := LinesShot.new()
+	for rate in rates(is_quick):
+		found.append(EventFlight.new(EventFlight.Form.GRID, champion, shot, rate))
+		for way in SteppedFlight.METHODS:
+			found.append(SteppedFlight.new(way, shot, rate))
+	return found
+
+
+## How many steps a second are tried.
+static func rates(is_quick: bool) -> PackedInt32Array:
+	return _QUICK_RATES if is_quick else _RATES

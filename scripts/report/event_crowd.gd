@@ -1,0 +1,54 @@
+class_name EventCrowd
+extends CrowdFlight
+## Many balls in the event world.
+
+## How it is named in tables.
+const METHOD := "event world"
+
+var _world: EventWorld
+
+
+## These balls, read so many times a second.
+func _init(of_crowd: Crowd, at_rate: int) -> void:
+	super(of_crowd, at_rate)
+	method = METHOD
+
+
+func _prepare() -> void:
+	_world = EventWorld.new()
+	_world.set_walls(Vec2.new(), Vec2.new(crowd.side, crowd.side))
+	_world.set_balls(crowd.balls())
+
+
+func _fly(count: int) -> void:
+	var world := _world
+	var balls := crowd.count
+	var start := Time.get_ticks_usec()
+	for i in count:
+		world.advance(step_seconds)
+		for index in balls:
+			_places[2 * index] = world.position_x(index)
+			_places[2 * index + 1] = world.position_y(index)
+	_spent = Time.get_ticks_usec() - start
+
+
+func _velocities() -> PackedFloat64Array:
+	var found: PackedFloat64Array = []
+	for index in crowd.count:
+		var velocity := _world.velocity(index)
+		found.append(velocity.x)
+		found.append(velocity.y)
+	return found
+
+
+func _turn_round() -> void:
+	var turned: Array[Ball] = []
+	for index in crowd.count:
+		var ball := _world.ball(index)
+		ball.velocity.scale(-1.0)
+		turned.append(ball)
+	_world.set_balls(turned)
+
+
+func _remark() -> String:
+	return "; %d collisions a second" % roundi(_world.impacts / seconds)

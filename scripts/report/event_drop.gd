@@ -1,0 +1,32 @@
+class_name EventDrop
+extends DropCase
+## The dropped ball in the event world: exact between the bounces, however long a step is.
+
+## How it is named in tables.
+const METHOD := "event world"
+
+var _world: EventWorld
+
+
+## A ball with this bounciness, looked at so many times a second.
+func _init(with_bounciness: float, at_rate: int) -> void:
+	super(with_bounciness, at_rate)
+	method = METHOD
+
+
+func _prepare() -> void:
+	_world = EventWorld.new()
+	_world.set_gravity(Vec2.new(0.0, DroppedBall.GRAVITY))
+	_world.set_bounciness(bounciness)
+	_world.set_segments(DroppedBall.floors())
+	_world.set_balls([DroppedBall.ball()])
+
+
+func _fly(count: int) -> void:
+	var world := _world
+	var start := Time.get_ticks_usec()
+	for i in count:
+		world.advance(step_seconds)
+		_height = -world.position_y(0) - DroppedBall.RADIUS
+	_spent = Time.get_ticks_usec() - start
+	_speed = world.velocity(0).y

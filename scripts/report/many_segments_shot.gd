@@ -1,0 +1,75 @@
+class_name ManySegmentsShot
+extends Shot
+## One ball among so many segments that they cannot all be looked at; the more, the larger the box,
+## so that there are always as many around the ball.
+
+# Each segment has a square of its own, so that none meets another.
+const _SQUARE := 80.0
+const _LENGTH := 40.0
+# Pixels by which a segment's middle may be off that of its square.
+const _PLAY := 12.0
+# Pixels. At the corner of a square there is room for it.
+const _RADIUS := 6.0
+const _SPEED := 300.0
+
+# Those that can be reached while the path is looked at.
+var _near: Array[LineSegment] = []
+
+
+## A box with so many segments, its four walls included: 4, or 4 times a power of 4.
+func _init(count: int) -> void:
+	problem = "many_segments"
+	situation = situation_of(count)
+	goes_on = true
+	path_seconds = 2.0
+	var squares := roundi(sqrt(count))
+	var half := squares * _SQUARE / 2.0
+	ball = Ball.new(Vec2.new(), _RADIUS, Vec2.unit_radians(0.7).scaled(_SPEED))
+	_add_walls(half)
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 4
+	for square in count:
+		# The walls take the places of four corners.
+		if segments.size() < count and not _is_corner(square, squares):
+			var middle := Vec2.new(_SQUARE * (square % squares + 0.5) - half, 0.0)
+			middle.y = _SQUARE * (floorf(float(square) / squares) + 0.5) - half
+			segments.append(_segment(rng, middle))
+	for segment in segments:
+		var reach := _SPEED * path_seconds + _RADIUS
+		if segment.closest_point(ball.position).distance_to(ball.position) <= reach:
+			_near.append(segment)
+
+
+## How the situation is named in tables.
+static func situation_of(count: int) -> String:
+	return "%d segments" % count
+
+
+## See [method Shot.judge]: the error is how far the ball is off the exact path at the end of it.
+func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
+	var exact := ExactPath.new()
+	exact.start(ball, _near)
+	exact.advance_to(path_seconds)
+	case.error = exact.position().distance_to(Vec2.new(path[-2], path[-1]))
+	case.figures["bounces"] = exact.bounces()
+	case.note = "after %d bounces" % exact.bounces()
+
+
+func _add_walls(half: float) -> void:
+	var corners: Array[Vec2] = [
+		Vec2.new(-half, -half), Vec2.new(half, -half), Vec2.new(half, half), Vec2.new(-half, half)
+	]
+	for i in corners.size():
+		segments.append(LineSegment.new(corners[i], corners[(i + 1) % corners.size()]))
+
+
+func _segment(rng: RandomNumberGenerator, middle: Vec2) -> LineSegment:
+	middle.add(Vec2.new(rng.randf_range(-_PLAY, _PLAY), rng.randf_range(-_PLAY, _PLAY)))
+	var half := Vec2.unit_radians(rng.randf() * PI).scaled(_LENGTH / 2.0)
+	return LineSegment.new(middle.minus(half), middle.plus(half))
+
+
+func _is_corner(square: int, squares: int) -> bool:
+	var last := squares - 1
+	var row := floori(float(square) / squares)
+	return (square % squares == 0 or square % squares == last) and (row == 0 or row == last)

@@ -1,0 +1,142 @@
+class_name ReportGoals
+extends RefCounted
+## What the event world has to reach, as ratios of one run, and what the measurements say of it.
+
+## How many times faster than move_and_collide at 60 Hz, by speed in px/s. At the last the ball
+## bounces more than once a frame.
+const BOX_RATIOS: Dictionary[float, float] = {300.0: 2.5, 3000.0: 2.5, 30000.0: 1.5}
+## Pixels after the long flight in the box.
+const BOX_ERROR := 1e-9
+## The growth of the time of a frame with the number of segments.
+const GROWTH := 0.05
+## How many times faster than the engine's concave shape.
+const SEGMENTS_RATIO := 3.0
+## From so many segments on.
+const SEGMENTS_FROM := 1024
+## So many balls are judged.
+const CROWD := 1000
+## How many times faster than RigidBody2D, by its rate.
+const CROWD_RATIOS: Dictionary[int, float] = {60: 1.0, 240: 3.0}
+## The drift of the energy of all balls, as a share of it.
+const CROWD_DRIFT := 1e-12
+## Pixels by which two balls may overlap.
+const CROWD_OVERLAP := 1e-9
+
+
+## Every goal, judged where this run has measured what it needs.
+static func of(measurements: Array[Measurement]) -> Array[ReportGoal]:
+	var box := ReportText.of_problem("ball_in_box", measurements)
+	var found: Array[ReportGoal] = [_frontier(box)]
+	for speed in BOX_RATIOS:
+		found.append(_box_ratio(box, speed))
+	found.append(_box_error(box))
+	found.append_array(_segments(ReportText.of_problem("many_segments", measurements)))
+	found.append_array(_crowd(ReportText.of_problem("many_balls", measurements)))
+	return found
+
+
+static func _frontier(rows: Array[Measurement]) -> ReportGoal:
+	var situations := ProblemPicture.situations_in(rows)
+	var count := 0
+	for situation in situations:
+		for row in Frontier.of(ProblemPicture.in_situation(situation, rows)):
+			if row.method == BallInBoxProblem.EVENT_WORLD:
+				count += 1
+				break
+	var goal := ReportGoal.new(
+		"one ball in the box: situations with the event world on the frontier", "all of them"
+	)
+	if not situations.is_empty():
+		goal.at_least(count, situations.size())
+	if goal.is_judged:
+		goal.measured = "%d of %d" % [count, situations.size()]
+	return goal
+
+
+static func _box_ratio(rows: Array[Measurement], speed: float) -> ReportGoal:
+	var least := INF
+	for shot in BallInBoxProblem.shots():
+		if shot.situation.begins_with("%d px/s," % speed):
+			for form: String in ["segments", "concave shape"]:
+				var peer := _time(rows, "move_and_collide, " + form, shot.situation)
+				least = minf(
+					least, peer / _time(rows, BallInBoxProblem.EVENT_WORLD, shot.situation)
+				)
+	var bound := BOX_RATIOS[speed]
+	var goal := ReportGoal.new(
+		"one ball in the box, %d px/s: times faster than move_and_collide, both at 60 Hz" % speed,
+		"at least %s" % bound
+	)
+	return goal.at_least(least if is_finite(least) else NAN, bound)
+
+
+static func _box_error(rows: Array[Measurement]) -> ReportGoal:
+	var worst := NAN
+	for speed in BallInBoxProblem.SPEEDS:
+		var situation := BoxShot.situation_of(speed, BallInBoxProblem.LONG)
+		for row in ProblemPicture.in_situation(situation, rows):
+			if row.method == BallInBoxProblem.EVENT_WORLD:
+				worst = row.error if is_nan(worst) else maxf(worst, row.error)
+	var goal := ReportGoal.new(
+		"one ball in the box: error of the event world after 100 s, px", "at most 1e-9"
+	)
+	return goal.at_most(worst, BOX_ERROR)
+
+
+static func _segments(rows: Array[Measurement]) -> Array[ReportGoal]:
+	var grid := ManySegmentsProblem.GRID
+	var least := INF
+	for count in ManySegmentsProblem.COUNTS:
+		if count >= SEGMENTS_FROM:
+			var own := ManySegmentsProblem.time_of(grid, count, rows)
+			var peer := "move_and_collide, concave shape"
+			least = minf(least, ManySegmentsProblem.time_of(peer, count, rows) / own)
+	var growth := ReportGoal.new(
+		"one ball among 64 to 16384 segments: growth exponent of the event world's frame",
+		"at most %s" % GROWTH
+	)
+	var ratio := ReportGoal.new(
+		"one ball among 1024 and 16384 segments: times faster a frame than the concave shape",
+		"at least %s" % SEGMENTS_RATIO
+	)
+	return [
+		growth.at_most(ManySegmentsProblem.growth(grid, rows), GROWTH),
+		ratio.at_least(least if is_finite(least) else NAN, SEGMENTS_RATIO),
+	]
+
+
+static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
+	var situation := CrowdFlight.situation_of(CROWD)
+	var own := _row(rows, EventCrowd.METHOD, situation, 60)
+	var found: Array[ReportGoal] = []
+	for rate in CROWD_RATIOS:
+		var peer := _row(rows, "RigidBody2D", situation, rate)
+		var bound := CROWD_RATIOS[rate]
+		var goal := ReportGoal.new(
+			"%d balls: times faster than RigidBody2D at %d Hz" % [CROWD, rate],
+			"at least %s" % bound
+		)
+		found.append(
+			goal.at_least(peer.run_time_us / own.run_time_us if own and peer else NAN, bound)
+		)
+	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
+	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")
+	found.append(drift.at_most(own.figures["energy drift"] if own else NAN, CROWD_DRIFT))
+	found.append(overlap.at_most(own.error if own else NAN, CROWD_OVERLAP))
+	return found
+
+
+# The measurement of a method at a rate; null where there is none.
+static func _row(
+	rows: Array[Measurement], method: String, situation: String, rate: int
+) -> Measurement:
+	for row in rows:
+		if row.method == method and row.situation == situation and row.tuning == "%d Hz" % rate:
+			return row
+	return null
+
+
+# The run time of a method at 60 Hz; NaN where it was not measured.
+static func _time(rows: Array[Measurement], method: String, situation: String) -> float:
+	var row := _row(rows, method, situation, 60)
+	return row.run_time_us if row else NAN
