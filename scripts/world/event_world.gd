@@ -59,7 +59,7 @@ func advance_to_next_event() -> String:
 		if _queue.first_time == INF:
 			problem = "Nothing happens any more after %s s." % time
 		else:
-			problem = _advance_to(_queue.first_time, 0.0)
+			problem = _advance_to(_queue.first_time, _queue.first_low)
 	keeps_events = kept
 	if not kept:
 		events.resize(before)
@@ -112,10 +112,13 @@ func is_resting(index: int) -> bool:
 
 func _advance_to(target: float, low: float) -> String:
 	while _queue.first_time <= target:
-		var index := _queue.first
+		# Within the last place of the target an event may still be to come; were it to happen now, a
+		# fast ball would be seen beyond what it bounces off.
+		if _queue.first_time == target and _queue.first_low > low:
+			break
 		time = _queue.first_time
-		_time_low = _event_low[index]
-		_happen(index)
+		_time_low = _queue.first_low
+		_happen(_queue.first)
 		if impacts - _counted_impacts > most_impacts_per_second:
 			var problem := _problem_of_count()
 			if problem:
@@ -137,7 +140,7 @@ func _problem_of_count() -> String:
 
 
 func _all_arrays() -> Array:
-	var arrays: Array = [_is_there, _queue.times]
+	var arrays: Array = [_is_there, _queue.times, _queue.lows]
 	arrays.append_array(_float_arrays())
 	arrays.append_array(_int_arrays())
 	arrays.append_array(_cells.arrays())

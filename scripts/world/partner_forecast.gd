@@ -18,7 +18,6 @@ var _uses_cells := false
 var _balls_there := 0
 
 # The event of each ball; its time stands in the queue.
-var _event_low: PackedFloat64Array = []
 var _event_kind: PackedInt32Array = []
 var _event_with: PackedInt32Array = []
 var _cross_time: PackedFloat64Array = []
@@ -76,9 +75,11 @@ func _forecast_event(index: int) -> void:
 	if _balls_there > 1:
 		_find_partner(index, (event_time - time) + (low - _time_low))
 		if _partner >= 0:
-			event_time = time + _partner_seconds
-			var part := event_time - time
-			low = (time - (event_time - part)) + (_partner_seconds - part) + _time_low
+			var sum := time + _partner_seconds
+			var part := sum - time
+			low = (time - (sum - part)) + (_partner_seconds - part) + _time_low
+			event_time = sum + low
+			low -= event_time - sum
 			kind = MEET
 			with = _partner
 			_release_partner(with)
@@ -87,10 +88,9 @@ func _forecast_event(index: int) -> void:
 
 
 func _set_event(index: int, event_time: float, low: float, kind: int, with: int) -> void:
-	_event_low[index] = low
 	_event_kind[index] = kind
 	_event_with[index] = with
-	_queue.change(index, event_time)
+	_queue.change(index, event_time, low)
 
 
 # The other ball of an impact that is off looks again at the time at which it would have been.
@@ -182,7 +182,7 @@ func _meets_under_pull(
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_event_low, _cross_time] as Array[PackedFloat64Array])
+	return super() + ([_cross_time] as Array[PackedFloat64Array])
 
 
 func _int_arrays() -> Array[PackedInt32Array]:

@@ -75,7 +75,8 @@ func _forecast_touch(index: int) -> void:
 	_note_touch(index, seconds, surface, TOUCH)
 
 
-# Stores the touch after so many seconds of flight, as a sum of two numbers (two-sum).
+# Stores the touch after so many seconds of flight, as a sum of two numbers (two-sum), the second
+# one smaller than the last place of the first, so that times can be compared.
 func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
 	var start := _start[index]
 	var sum := start + seconds
@@ -83,7 +84,9 @@ func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
 	_touch_low[index] = 0.0
 	if seconds < INF:
 		var part := sum - start
-		_touch_low[index] = (start - (sum - part)) + (seconds - part) + _start_low[index]
+		var low := (start - (sum - part)) + (seconds - part) + _start_low[index]
+		_touch_time[index] = sum + low
+		_touch_low[index] = low - (sum + low - sum)
 	_touch_kind[index] = kind
 	_touched[index] = surface
 
