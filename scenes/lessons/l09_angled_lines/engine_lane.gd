@@ -92,7 +92,7 @@ func _draw() -> void:
 
 
 func _label() -> String:
-	return tr("Godot: %s px off") % NumberText.short(_gap, 2)
+	return tr("Godot, %s px off") % NumberText.short(_gap, 2)
 
 
 func _draw_parting(color: Color) -> void:

@@ -195,10 +195,10 @@ func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
 	for across: float in [_BESIDE, -_BESIDE - extent.x]:
 		for down: float in [-_BESIDE - extent.y, _BESIDE]:
 			var place := (at + Vector2(across, down)).clamp(Vector2.ZERO, size - extent)
-			var hidden := _count_inside(Rect2(place, extent).grow(PlotMark.RADIUS))
-			if hidden < fewest:
+			var covered := _count_inside(Rect2(place, extent).grow(PlotMark.RADIUS))
+			if covered < fewest:
 				best = place
-				fewest = hidden
+				fewest = covered
 	return best
 
 
