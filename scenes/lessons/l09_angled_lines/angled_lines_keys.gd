@@ -17,7 +17,6 @@ signal pressed(action: StringName)
 const ACTIONS: Array[StringName] = [
 	&"lab_step",
 	&"lab_step_back",
-	&"lab_next_impact",
 	&"lab_gravity_left",
 	&"lab_gravity_up",
 	&"lab_gravity_right",
@@ -40,7 +39,7 @@ const ACTIONS: Array[StringName] = [
 
 ## Keys that a button names: of the line with the focus, of the timeline, and in the panel.
 const ON_BUTTONS: Array[StringName] = [
-	&"lab_fetch_balls", &"lab_delete_line", &"lab_previous_impact"
+	&"lab_fetch_balls", &"lab_delete_line", &"lab_next_impact", &"lab_previous_impact"
 ]
 
 ## These go on while the key is held.

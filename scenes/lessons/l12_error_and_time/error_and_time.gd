@@ -12,6 +12,7 @@ var _measurements: Array[Measurement] = []
 var _has_pointed := false
 
 @onready var _plot: LogPlot = %Plot
+@onready var _table: StabilityTable = %Table
 
 
 func start() -> void:
@@ -23,6 +24,7 @@ func start() -> void:
 	progress.stopped.connect(_stop)
 	var options := services[&"options"] as LessonOptions
 	options.chosen.connect(_choose)
+	options.preset_picked.connect(_turn_to)
 	_plot.point_chosen.connect(_show_point)
 	_show_all()
 	_begin()
@@ -53,31 +55,43 @@ func _peer_cases(problem_id: String) -> Array[MeasuredCase]:
 
 func _choose(key: String, place: int) -> void:
 	_stop()
+	_model.is_stability_open = false
 	if key == "problem":
 		_model.choose_problem(place)
 	else:
 		_model.situation_place = place
+	_finish()
+
+
+func _turn_to(page: String) -> void:
+	_stop()
+	_model.is_stability_open = page == "stability"
+	_finish()
+
+
+# What was never begun begins by itself.
+func _finish() -> void:
 	_show_all()
 	edited.emit()
-	if _model.run().done_count() == 0:
+	if _model.open_run().done_count() == 0:
 		_begin()
 
 
 func _begin() -> void:
 	_model.begin()
-	_show_run()
+	_show_progress()
 
 
 func _stop() -> void:
-	_model.run().is_going = false
-	_show_run()
+	_model.open_run().is_going = false
+	_show_progress()
 
 
 # A slice a frame: in between the window draws and listens.
 func _process(_delta: float) -> void:
-	if _model.run().is_going:
-		_model.run().advance(_SLICE)
-		_show_run()
+	if _model.open_run().is_going:
+		_model.open_run().advance(_SLICE)
+		_show_progress()
 
 
 # What the student sees.
@@ -93,7 +107,19 @@ func _show_all() -> void:
 	_plot.show_series(names, run.are_peers())
 	_has_pointed = false
 	_panel.show_problem(_model)
+	_panel.show_page(_model.is_stability_open)
+	_plot.visible = not _model.is_stability_open
+	_table.visible = _model.is_stability_open
 	_show_run()
+	_show_progress()
+
+
+func _show_progress() -> void:
+	if _model.is_stability_open:
+		_table.show_run(_model.stability)
+		_panel.show_stability(_model.stability)
+	else:
+		_show_run()
 
 
 func _show_run() -> void:

@@ -11,6 +11,8 @@ var problem_place := 1
 var situation_place := 0
 ## The table of stability is open instead.
 var is_stability_open := false
+## The stiff and extreme cases.
+var stability := StabilityRun.new(StabilityCases.all())
 
 # The cases of the engine for a problem's id, as an array; set by whoever has a scene.
 var _peer_cases: Callable
@@ -54,15 +56,25 @@ func run() -> MeasuringRun:
 	return _runs[key]
 
 
-## Begins to measure what is chosen, or goes on; what is done already is measured anew.
+## The run that is looked at: that of the problem, or that of the table.
+func open_run() -> LiveRun:
+	if is_stability_open:
+		return stability
+	return run()
+
+
+## Begins what is looked at, or goes on; what is done already is done anew.
 func begin() -> void:
-	if run().is_done():
+	if open_run().is_done():
 		forget()
-	run().is_going = true
+	open_run().is_going = true
 
 
-## Forgets all that was measured of the problem that is chosen.
+## Forgets all that was found of what is looked at.
 func forget() -> void:
+	if is_stability_open:
+		stability = StabilityRun.new(StabilityCases.all())
+		return
 	_cases.erase(problem().id)
 	for place in situations().size():
 		_runs.erase("%s %d" % [problem().id, place])

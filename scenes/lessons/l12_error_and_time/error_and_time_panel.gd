@@ -32,6 +32,8 @@ func fill_problems(model: ErrorAndTimeModel) -> void:
 		titles.append(MeasuredWords.title(problem.id))
 	_options.add_choice("problem", tr("What is measured"), titles)
 	_options.add_choice("situation", tr("The situation"), [])
+	_options.add_preset("measurements", tr("Error and run time"))
+	_options.add_preset("stability", tr("Stability"))
 
 
 ## Shows which problem and situation of [param model] are chosen.
@@ -42,6 +44,18 @@ func show_problem(model: ErrorAndTimeModel) -> void:
 	_options.fill_choice("situation", situations)
 	_options.show_choice("problem", model.problem_place)
 	_options.show_choice("situation", model.situation_place)
+
+
+## Shows only what belongs to the table of stability, or to the measurements.
+func show_page(is_stability_open: bool) -> void:
+	_formula.visible = not is_stability_open
+	_readout.visible = not is_stability_open
+
+
+## Shows how far the table of stability is.
+func show_stability(run: StabilityRun) -> void:
+	var words := ErrorAndTimeTexts.stability_progress(run)
+	_progress.show_progress(run.is_going, run.share(), words)
 
 
 ## Shows how far the measuring is.

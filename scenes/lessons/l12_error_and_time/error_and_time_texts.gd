@@ -50,6 +50,12 @@ static func progress(run: MeasuringRun) -> String:
 	return _translate("Stopped after %d of %d runs.") % counts
 
 
+## How far the table of stability is.
+static func stability_progress(run: StabilityRun) -> String:
+	var counts: Array[int] = [run.passed_count(), run.done_count(), run.size()]
+	return _translate("%d of %d tried hold; %d in all.") % counts
+
+
 ## The headings of the readout.
 static func headings() -> PackedStringArray:
 	return ["", _translate("error"), _translate("run time"), _translate("× time")]

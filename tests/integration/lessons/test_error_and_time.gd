@@ -103,6 +103,48 @@ func test_reset_begins_anew() -> void:
 	assert_eq(_run().done_count(), 0)
 
 
+func test_the_table_of_stability_is_tried_case_by_case_and_all_hold() -> void:
+	await click_button("Stability")
+	assert_false(_plot().is_visible_in_tree())
+	assert_true(_table().is_visible_in_tree())
+	while _model().stability.is_going:
+		await get_tree().process_frame
+	await student.settle()
+	var count := _model().stability.size()
+	assert_gt(count, 20)
+	assert_reads("%d of %d tried hold; %d in all." % [count, count, count])
+	for place in count:
+		var text := _model().stability.cases[place].title
+		assert_eq(_table().row(place).outcome(), StabilityMark.Outcome.PASSED, text)
+
+
+func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
+	await click_button("Stability")
+	await click_button("Stop")
+	var done := _model().stability.done_count()
+	await student.settle()
+	assert_eq(_model().stability.done_count(), done)
+	assert_eq(_table().row(done).outcome(), StabilityMark.Outcome.WAITING)
+	await student.press(&"lab_undo")
+	assert_true(_plot().is_visible_in_tree())
+
+
+func test_the_table_fits_at_every_size() -> void:
+	await click_button("Stability")
+	for size: Vector2i in [
+		Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
+	]:
+		await resize(size)
+		assert_eq(", ".join(Layout.problems(screen())), "", str(size))
+
+
+func test_a_problem_chosen_from_the_table_leads_back_to_the_plot() -> void:
+	await click_button("Stability")
+	await _pick("What is measured", 0)
+	assert_true(_plot().is_visible_in_tree())
+	assert_eq(_model().problem().id, "scalar_projection")
+
+
 func test_a_question_names_the_mistake() -> void:
 	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
 	await student.settle()
@@ -120,6 +162,10 @@ func _run() -> MeasuringRun:
 
 func _plot() -> LogPlot:
 	return frame().lesson.get_node("%Plot") as LogPlot
+
+
+func _table() -> StabilityTable:
+	return frame().lesson.get_node("%Table") as StabilityTable
 
 
 func _pointed() -> Measurement:
