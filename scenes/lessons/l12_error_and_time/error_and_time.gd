@@ -69,11 +69,11 @@ func _turn_to(page: String) -> void:
 	_finish()
 
 
-# What was never begun begins by itself.
+# What is not finished goes on by itself.
 func _finish() -> void:
 	_show_all()
 	edited.emit()
-	if _model.open_run().done_count() == 0:
+	if not _model.open_run().is_done():
 		_begin()
 
 

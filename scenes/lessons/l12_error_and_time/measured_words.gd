@@ -10,6 +10,11 @@ extends RefCounted
 const _TITLES: Dictionary[String, String] = {
 	"scalar_projection": "Scalar projection",
 	"ball_in_box": "One ball in a box",
+	"angled_lines": "Among angled lines",
+	"many_segments": "Many segments",
+	"dropped_ball": "A dropped ball",
+	"many_balls": "Many balls",
+	"digits_of_pi": "Digits of pi",
 }
 
 # The axes of all problems: source text.
@@ -18,6 +23,11 @@ const _AXES: PackedStringArray = [
 	"run time, µs per simulated second",
 	"worst error / |a|",
 	"error, px",
+	"%s / bounces until %s px off",
+	"error of the height, px",
+	"worst overlap of two balls, px",
+	"run time, µs for all impacts",
+	"impacts too few or too many",
 ]
 
 # Situations, methods and what they are set to: source text.
@@ -35,6 +45,18 @@ const _NAMES: PackedStringArray = [
 	"impact, rest dropped",
 	"impact, rest used",
 	"event world",
+	"event world, walls as segments",
+	"event world, grid",
+	"event world, scan",
+	"%s segments",
+	"%s balls",
+	"explicit Euler",
+	"semi-implicit Euler",
+	"velocity Verlet",
+	"penalty spring, %s Hz",
+	"from impact to impact",
+	"stepped",
+	"impacts",
 	"move_and_collide, segments",
 	"move_and_collide, concave shape",
 	"body_test_motion, segments",
