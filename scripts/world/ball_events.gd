@@ -85,6 +85,18 @@ func _collide(one: int, other: int) -> void:
 	var distance := sqrt(dx * dx + dy * dy)
 	_normal_x = dx / distance if distance > 0.0 else 0.0
 	_normal_y = dy / distance if distance > 0.0 else 0.0
+	if keeps_events:
+		_exchange_with_events(one, other)
+	else:
+		_exchange(one, other)
+	_forget_surface(one)
+	_forget_surface(other)
+	_forecast(one)
+	_forecast(other)
+
+
+# Each of both has an event of its own.
+func _exchange_with_events(one: int, other: int) -> void:
 	var event := _begin_event(one)
 	var event_of_other := _begin_event(other)
 	_exchange(one, other)
@@ -92,10 +104,6 @@ func _collide(one: int, other: int) -> void:
 	_normal_x = -_normal_x
 	_normal_y = -_normal_y
 	_end_event(other, one, event_of_other, WorldEvent.Kind.BALL)
-	_forget_surface(one)
-	_forget_surface(other)
-	_forecast(one)
-	_forecast(other)
 
 
 # Newton's laws along the normal, as in BallBounce.
