@@ -15,6 +15,7 @@ const FOLDERS: PackedStringArray = [
 	"l09_angled_lines",
 	"l10_line_ends",
 	"l11_more_dimensions",
+	"l12_error_and_time",
 ]
 
 

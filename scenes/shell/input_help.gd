@@ -13,6 +13,8 @@ const PURPOSES: Dictionary[StringName, String] = {
 	&"lab_step_back": "step back",
 	&"lab_pause": "play or pause",
 	&"lab_slow": "slow",
+	&"lab_next_impact": "next impact",
+	&"lab_previous_impact": "previous impact",
 	&"lab_gravity_left": "gravity",
 	&"lab_gravity_up": "gravity",
 	&"lab_gravity_right": "gravity",

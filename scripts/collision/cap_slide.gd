@@ -182,6 +182,8 @@ func _time_between(from: float, to: float) -> float:
 
 # The angular speed at an angle, from the energy.
 func _speed_at(angle: float) -> float:
+	if angle == _start:
+		return _speed
 	var fallen := sin(0.5 * (angle - _slowest)) * sin(0.5 * (angle + _slowest))
 	return sqrt(_least_squared_speed + 4.0 * _k * maxf(fallen, 0.0))
 

@@ -11,6 +11,11 @@ const SLOWEST_BOUNCE := 1e-6
 @abstract func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
 
 
+## The mover of a copied world: the same, unless it remembers something of the balls.
+func for_copy() -> BallMover:
+	return self
+
+
 ## Moves the ball along its free flight; nothing is in its way.
 func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
 	ball.position.add(FreeFlight.motion(ball.velocity, gravity, seconds))

@@ -5,14 +5,19 @@ extends RefCounted
 ##
 ## A tournament: each pair plays, the earlier one goes on, the winner of all stands at the top. When
 ## one time changes, only its own matches are played again: as many as the count has binary digits.
+## A time is the sum of two numbers, the second one smaller than the last place of the first.
 ## Of two equal times the smaller index wins, so that the order is always the same.
 
 ## The index that comes first; 0 where nothing is ever to happen.
 var first := 0
 ## When that is, in seconds; INF where nothing is ever to happen.
 var first_time := INF
+## What [member first_time] leaves over: a part smaller than its last place.
+var first_low := 0.0
 ## The time of each index, in seconds, INF for never. Read it; change it by [method change].
 var times: PackedFloat64Array = []
+## What [member times] leave over.
+var lows: PackedFloat64Array = []
 
 # A complete binary tree: the children of match k are 2k and 2k + 1, the indices themselves stand
 # behind the last match.
@@ -27,8 +32,10 @@ func resize(count: int) -> void:
 	while _capacity < count:
 		_capacity *= 2
 	times.resize(_capacity)
+	lows.resize(_capacity)
 	for index in range(mini(old, count), _capacity):
 		times[index] = INF
+		lows[index] = 0.0
 	_winners.resize(2 * _capacity)
 	for index in _capacity:
 		_winners[_capacity + index] = index
@@ -37,27 +44,37 @@ func resize(count: int) -> void:
 	_note_first()
 
 
-## Sets the time of one index.
-func change(index: int, time: float) -> void:
+## Sets the time of one index, as the sum of [param time] and [param low].
+func change(index: int, time: float, low: float = 0.0) -> void:
 	times[index] = time
+	lows[index] = low
 	var place := (_capacity + index) >> 1
 	# Inlined, as every event of a world comes through here.
 	while place > 0:
 		var left := _winners[2 * place]
 		var right := _winners[2 * place + 1]
-		var winner := left if times[left] <= times[right] else right
+		var left_time := times[left]
+		var right_time := times[right]
+		var winner := left if left_time < right_time else right
+		if left_time == right_time:
+			if lows[left] <= lows[right]:
+				winner = left
 		if winner == _winners[place] and winner != index:
 			break
 		_winners[place] = winner
 		place >>= 1
 	first = _winners[1]
 	first_time = times[first]
+	first_low = lows[first]
 
 
 func _note_first() -> void:
 	first = _winners[1]
 	first_time = times[first]
+	first_low = lows[first]
 
 
 func _earlier(left: int, right: int) -> int:
-	return left if times[left] <= times[right] else right
+	if times[left] == times[right]:
+		return left if lows[left] <= lows[right] else right
+	return left if times[left] < times[right] else right

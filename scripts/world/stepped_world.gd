@@ -6,8 +6,9 @@ extends RefCounted
 ## What cannot be taken is refused: [method set_balls], [method step] and [method put_state] return
 ## "" or one sentence with the value and what is allowed, and then nothing has changed.
 
-## How a frame is stepped: see [PositionResetMover], [PointOfImpactMover], [WholeFrameMover].
-enum Method { POSITION_RESET, POINT_OF_IMPACT, WHOLE_FRAME }
+## How a frame is stepped: see [PositionResetMover], [PointOfImpactMover], [WholeFrameMover],
+## [EventMover].
+enum Method { POSITION_RESET, POINT_OF_IMPACT, WHOLE_FRAME, EVENT_WORLD }
 
 ## Pixels. A ball further than this from the origin, in x or y, is lost: it is no longer moved.
 const REACH := 800.0
@@ -48,6 +49,8 @@ static func mover_of(method: Method) -> BallMover:
 			return PositionResetMover.new()
 		Method.POINT_OF_IMPACT:
 			return PointOfImpactMover.new()
+		Method.EVENT_WORLD:
+			return EventMover.new()
 	return WholeFrameMover.new()
 
 
@@ -100,9 +103,28 @@ func bring_back(index: int, ball: Ball) -> void:
 	_wake()
 
 
+## Whether a ball at [param position] is not lost.
+static func reaches(position: Vec2) -> bool:
+	# Not "greater": of NaN every comparison is false.
+	return absf(position.x) <= REACH and absf(position.y) <= REACH
+
+
 ## How many balls are lost now.
 func lost_count() -> int:
 	return is_lost.count(1)
+
+
+## The place of the ball at [param point], or within [param reach] pixels of its edge; -1 for none.
+## Lost balls are not found.
+func ball_at(point: Vec2, reach: float) -> int:
+	var nearest := -1
+	var least := reach
+	for i in balls.size():
+		var gap := balls[i].position.distance_to(point) - balls[i].radius
+		if gap <= least and is_lost[i] == 0:
+			nearest = i
+			least = gap
+	return nearest
 
 
 ## The energy of all balls that are not lost: m (v^2 / 2 - g . x), with the height counted from
@@ -122,7 +144,7 @@ func energy() -> float:
 func copy(only: int = -1) -> SteppedWorld:
 	var other := SteppedWorld.new()
 	other.surroundings = surroundings.copy()
-	other.mover = mover
+	other.mover = mover.for_copy()
 	for i in balls.size():
 		if only < 0 or only == i:
 			other.balls.append(balls[i].copy())
@@ -181,8 +203,7 @@ func _move(index: int, seconds: float) -> void:
 		record.ball_index = index
 	bounces += records.size()
 	latest_bounces.append_array(records)
-	# Not "greater": of NaN every comparison is false.
-	if not (absf(ball.position.x) <= REACH and absf(ball.position.y) <= REACH):
+	if not reaches(ball.position):
 		is_lost[index] = 1
 		losses += 1
 
@@ -202,7 +223,7 @@ func _wake_where_changed(seconds: float) -> void:
 static func _problem_of(ball: Ball) -> String:
 	if ball.problem():
 		return ball.problem()
-	if not (absf(ball.position.x) <= REACH and absf(ball.position.y) <= REACH):
+	if not reaches(ball.position):
 		return "A ball must be within -800..800 px in x and y, not at %s." % ball.position
 	if not Surroundings.is_within(ball.velocity):
 		return "A ball's speed must be within -1e6..1e6 px/s, not %s." % ball.velocity

@@ -25,7 +25,11 @@ var _touched: PackedInt32Array = []
 var _touched_feature: PackedInt32Array = []
 # The surface on which a ball lies or slides.
 var _support: PackedInt32Array = []
-# The surface that a ball under a pull has just left, and how fast along its normal.
+# The round end over which it slides, or Feature.LINE, and for how long the present piece lasts.
+var _rolled_end: PackedInt32Array = []
+var _piece: PackedFloat64Array = []
+# The surface that a ball has just left, and, under a pull, how fast along its normal: INF where it
+# never comes back to it.
 var _left_surface: PackedInt32Array = []
 var _left_speed: PackedFloat64Array = []
 var _accelerated := AcceleratedImpact.new()
@@ -68,14 +72,17 @@ func _forecast_touch(index: int) -> void:
 				seconds = to_wall
 				surface = TOP_WALL
 	if _segments.size() > 0:
-		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds):
+		# A segment is convex: in straight flight a ball never comes back to the one it has left.
+		var left := _left_surface[index]
+		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds, left):
 			seconds = _segments.time
 			surface = _segments.index
 			_touched_feature[index] = _segments.feature
 	_note_touch(index, seconds, surface, TOUCH)
 
 
-# Stores the touch after so many seconds of flight, as a sum of two numbers (two-sum).
+# Stores the touch after so many seconds of flight, as a sum of two numbers (two-sum), the second
+# one smaller than the last place of the first, so that times can be compared.
 func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
 	var start := _start[index]
 	var sum := start + seconds
@@ -83,7 +90,9 @@ func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
 	_touch_low[index] = 0.0
 	if seconds < INF:
 		var part := sum - start
-		_touch_low[index] = (start - (sum - part)) + (seconds - part) + _start_low[index]
+		var low := (start - (sum - part)) + (seconds - part) + _start_low[index]
+		_touch_time[index] = sum + low
+		_touch_low[index] = low - (sum + low - sum)
 	_touch_kind[index] = kind
 	_touched[index] = surface
 
@@ -95,7 +104,10 @@ func _forecast_accelerated_touch(index: int) -> void:
 	_surface = NOTHING
 	_kind = TOUCH
 	if _support[index] >= 0:
-		_forecast_slide(index, _support[index])
+		if _rolled_end[index] == Impact.Feature.LINE:
+			_forecast_slide(index, _support[index])
+		else:
+			_take(_piece[index], _support[index], FOLLOW_CAP)
 	if _has_walls:
 		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
 			_forecast_wall(index, wall)
@@ -103,7 +115,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 		var skipped := _support[index]
 		if _left_surface[index] >= 0:
 			skipped = _left_surface[index]
-			_forecast_return(index, skipped)
+			if _left_speed[index] < INF:
+				_forecast_return(index, skipped)
 		if _segments.first_accelerated_impact(
 			_x[index],
 			_y[index],
@@ -224,14 +237,20 @@ func _find_normal(index: int, surface: int) -> void:
 		BOTTOM_WALL:
 			_normal_y = -1.0
 		_:
+			_normal_x = _segments.normal_x(surface)
+			_normal_y = _segments.normal_y(surface)
 			var side := _segments.signed_distance(surface, _x[index], _y[index])
-			_normal_x = _segments.normal_x(surface) * (1.0 if side >= 0.0 else -1.0)
-			_normal_y = _segments.normal_y(surface) * (1.0 if side >= 0.0 else -1.0)
+			if side == 0.0:
+				# A centre on the line itself is stopped from the side it comes from.
+				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
+			if side < 0.0:
+				_normal_x = -_normal_x
+				_normal_y = -_normal_y
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_touch_time, _touch_low, _left_speed] as Array[PackedFloat64Array])
+	return super() + ([_touch_time, _touch_low, _left_speed, _piece] as Array[PackedFloat64Array])
 
 
 func _int_arrays() -> Array[PackedInt32Array]:
-	return [_touch_kind, _touched, _touched_feature, _support, _left_surface]
+	return [_touch_kind, _touched, _touched_feature, _support, _rolled_end, _left_surface]

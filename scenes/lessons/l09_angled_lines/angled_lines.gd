@@ -7,15 +7,12 @@ const ACTIONS := AngledLinesKeys.ACTIONS
 # Half of what the board shows at least, in pixels of the course.
 const _HALF_VIEW := Vector2i(290, 200)
 const _SNAP_STEP := 10.0
-const _FRAMES_BETWEEN := 6
-const _BOUNCINESSES: Array[float] = [1.0, 0.8, 0.5, 0.0]
+# The timeline at the foot of the board needs room below the lines.
+const _HALF_VIEW_WITH_TIMELINE := Vector2i(290, 245)
 
 var _model := AngledLinesModel.new()
 var _formula: AngledLinesFormula
 var _panel: AngledLinesPanel
-# A screen's frames since the formula was shown: while balls move, numbers change slowly enough to
-# be read.
-var _frames_unshown := 0
 # What was refused last, until it has been told.
 var _problem := ""
 
@@ -25,6 +22,8 @@ var _problem := ""
 @onready var _gravity: GravityArrow = %Gravity
 @onready var _pointer: BoardPointer = %Pointer
 @onready var _player: AngledLinesPlayer = %Player
+@onready var _engine: EngineLane = %Engine
+@onready var _timeline: TimelineCard = %TimelineCard
 @onready var _status: Label = %Status
 
 
@@ -35,7 +34,9 @@ func start() -> void:
 	_panel = AngledLinesPanel.new(services)
 	_drawing.measure_with(_player.meter)
 	_player.play(_model, services[&"transport"] as Transport)
-	_connect_player()
+	_player.stepped.connect(func(is_on: bool) -> void: _drawing.follow_step(_model, is_on))
+	_player.advanced.connect(_show_moment)
+	_player.turned.connect(_show_moment)
 	_connect_board()
 	_connect_panel(formula)
 	_panel.ask()
@@ -55,32 +56,33 @@ func show_state(stored: Dictionary) -> void:
 
 ## Reset goes back to the start of the situation that was picked last.
 func reset_state(_first: Dictionary) -> Dictionary:
-	var fresh := AngledLinesModel.new()
-	fresh.method = _model.method
-	fresh.mistake = _model.mistake
-	fresh.set_up(_model.scene)
-	return fresh.to_dictionary()
-
-
-func _connect_player() -> void:
-	_player.stepped.connect(_follow_step)
-	_player.advanced.connect(_show_moment)
-	_player.turned.connect(_show_moment)
+	return _model.start_again().to_dictionary()
 
 
 func _connect_board() -> void:
-	(%Keys as AngledLinesKeys).pressed.connect(_act)
+	_connect_keys(%Keys as AngledLinesKeys)
 	pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
 	released.connect(_pointer.release)
 	_pointer.ball_taken.connect(_select)
 	_pointer.ball_moved.connect(func(at: Vec2) -> void: _change_ball(at, _model.ball().velocity))
 	_pointer.ball_released.connect(_finish)
 	_pointer.line_drawn.connect(_lines.add_line)
-	_lines.changed.connect(_take_lines)
+	_lines.changed.connect(
+		func(lines: Array[LineSegment]) -> void: _show_edit(_model.set_lines(lines))
+	)
 	_velocity.moved.connect(_move_arrow)
-	_gravity.turned.connect(_turn_gravity)
+	_gravity.turned.connect(func(pull: Vec2) -> void: _show_edit(_model.set_gravity(pull)))
+	_timeline.moved.connect(_follow_jump)
 	for part: Object in [_lines, _velocity, _gravity]:
 		part.connect(&"released", _finish)
+
+
+func _connect_keys(keys: AngledLinesKeys) -> void:
+	keys.gravity_pointed.connect(_point_gravity)
+	keys.preset_picked.connect(_pick)
+	keys.step_wanted.connect(_player.step)
+	keys.impact_wanted.connect(_timeline.go_to_impact)
+	keys.pressed.connect(_act)
 
 
 func _connect_panel(formula: Formula) -> void:
@@ -88,7 +90,7 @@ func _connect_panel(formula: Formula) -> void:
 	formula.role_pointed.connect(_drawing.light)
 	formula.refused.connect(noticed.emit)
 	var options := services[&"options"] as LessonOptions
-	options.switched.connect(func(_key: String, _on: bool) -> void: _toggle_trails())
+	options.switched.connect(_switch)
 	options.chosen.connect(_choose_method)
 	options.preset_picked.connect(_pick)
 	(services[&"question"] as Question).board_wanted.connect(_show_question)
@@ -99,26 +101,21 @@ func _connect_panel(formula: Formula) -> void:
 
 
 func _act(action: StringName) -> void:
-	if AngledLinesKeys.is_gravity(action):
-		_model.point_gravity(AngledLinesKeys.direction(action))
-		_finish()
-	elif AngledLinesKeys.preset(action) >= 0:
-		_pick(str(AngledLinesKeys.preset(action)))
 	match action:
-		&"lab_step":
-			_player.step(true)
-		&"lab_step_back":
-			_player.step(false)
 		&"lab_next_bounciness":
-			_take_next_bounciness()
+			AngledLinesEntry.take_next_bounciness(_model)
+			_finish()
 		&"lab_toggle_trails":
 			_toggle_trails()
 		&"lab_clear_trails":
 			_drawing.clear_trails(_model)
-		&"lab_fetch_balls":
-			_pick("fetch")
 		&"lab_delete_line":
 			_lines.delete_focused()
+
+
+func _point_gravity(direction: Vec2) -> void:
+	_model.point_gravity(direction)
+	_finish()
 
 
 func _pick(preset: String) -> void:
@@ -134,11 +131,11 @@ func _pick(preset: String) -> void:
 func _select(index: int) -> void:
 	_player.pause()
 	_model.selected = index
+	_engine.begin_anew(_model)
 	_show_moment()
 
 
 func _change_ball(position_wanted: Vec2, velocity: Vec2) -> void:
-	_player.pause()
 	_show_edit(_model.change_ball(position_wanted, velocity))
 
 
@@ -148,22 +145,6 @@ func _move_arrow(tail: Vec2, head: Vec2) -> void:
 		_change_ball(tail, ball.velocity)
 	else:
 		_change_ball(ball.position, _drawing.velocity_of(tail, head))
-
-
-func _turn_gravity(gravity: Vec2) -> void:
-	_player.pause()
-	_show_edit(_model.set_gravity(gravity))
-
-
-func _take_next_bounciness() -> void:
-	var place := _BOUNCINESSES.find(_model.world.surroundings.bounciness)
-	_model.set_bounciness(_BOUNCINESSES[(place + 1) % _BOUNCINESSES.size()])
-	_finish()
-
-
-func _take_lines(lines: Array[LineSegment]) -> void:
-	_player.pause()
-	_show_edit(_model.set_lines(lines))
 
 
 func _enter_number(name_in_line: String, value: float) -> void:
@@ -185,6 +166,22 @@ func _switch_mistake(number: int) -> void:
 func _show_question() -> void:
 	_model.take(_panel.world_of_question())
 	_finish()
+
+
+func _switch(key: String, on: bool) -> void:
+	if key == "trails":
+		_toggle_trails()
+	elif on:
+		_engine.begin(_model)
+	else:
+		_engine.switch_off()
+
+
+func _follow_jump(problem: String) -> void:
+	_player.pause()
+	noticed.emit(problem)
+	_drawing.clear_trails(_model)
+	_show_moment()
 
 
 func _toggle_trails() -> void:
@@ -210,22 +207,23 @@ func _process(_delta: float) -> void:
 		_show_status()
 
 
-func _follow_step(is_forward: bool) -> void:
-	_drawing.follow_step(_model, is_forward)
-
-
 func _show_all() -> void:
-	fit([Vec2.new(_HALF_VIEW.x, _HALF_VIEW.y)])
+	var half_view := _HALF_VIEW_WITH_TIMELINE if _model.timeline else _HALF_VIEW
+	fit([Vec2.new(half_view.x, half_view.y)])
+	_engine.begin_anew(_model)
 	_drawing.show_all(_model)
 	_drawing.show_surroundings(_model)
 	_panel.show_all(_model, _drawing.has_trails)
+	_panel.show_engine(_engine.is_on())
 	_show_moment()
 
 
 # While something is dragged: what was refused is told, and the old state stays.
 func _show_edit(problem: String) -> void:
+	_player.pause()
 	_problem = problem
 	noticed.emit(problem)
+	_engine.begin_anew(_model)
 	_drawing.clear_trails(_model)
 	_drawing.show_surroundings(_model)
 	_show_moment()
@@ -233,17 +231,16 @@ func _show_edit(problem: String) -> void:
 
 func _show_moment() -> void:
 	_drawing.show_balls(_model)
-	_frames_unshown += 1
+	_timeline.show_model(_model)
+	_engine.show_moment(_model)
 	if _player.is_playing():
 		_drawing.hide_forecast()
-		if _frames_unshown < _FRAMES_BETWEEN:
+		if not _formula.follow_model(_model):
 			return
-		_formula.show_model(_model, _model.last_bounce)
 	else:
 		var forecast := _model.forecast(_model.world)
 		_drawing.show_forecast(_model, forecast)
 		_formula.show_model(_model, forecast.next_bounce)
-	_frames_unshown = 0
 	_show_status()
 
 

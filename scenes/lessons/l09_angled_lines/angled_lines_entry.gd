@@ -2,6 +2,14 @@ class_name AngledLinesEntry
 extends RefCounted
 ## Takes numbers that were typed over in the formula lines of the lesson on angled lines.
 
+const _BOUNCINESSES: Array[float] = [1.0, 0.8, 0.5, 0.0]
+
+
+## Takes the next of the usual bouncinesses.
+static func take_next_bounciness(model: AngledLinesModel) -> void:
+	var place := _BOUNCINESSES.find(model.world.surroundings.bounciness)
+	model.set_bounciness(_BOUNCINESSES[(place + 1) % _BOUNCINESSES.size()])
+
 
 ## Changes [param model] by the number's name in [AngledLinesTexts]. "" or one sentence with the
 ## value and what is allowed; then nothing has changed.

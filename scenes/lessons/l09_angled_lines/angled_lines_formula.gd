@@ -2,7 +2,12 @@ class_name AngledLinesFormula
 extends RefCounted
 ## Puts gravity, bounciness, the selected ball and one of its bounces into the formula lines.
 
+# A screen's frames between two looks at it: while balls move, numbers change slowly enough to be
+# read.
+const _FRAMES_BETWEEN := 6
+
 var _formula: Formula
+var _frames_unshown := 0
 
 
 ## Says to [param formula] what the names in [AngledLinesTexts] stand for.
@@ -27,8 +32,18 @@ func _init(formula: Formula) -> void:
 	_formula.define_number("w_pair", Palette.Role.PROJECTION)
 
 
+## Shows [param model] with its latest bounce now and then. True where it was shown.
+func follow_model(model: AngledLinesModel) -> bool:
+	_frames_unshown += 1
+	var is_due := _frames_unshown >= _FRAMES_BETWEEN
+	if is_due:
+		show_model(model, model.last_bounce)
+	return is_due
+
+
 ## Shows [param model]; [param bounce] is the one to come or the latest, or null.
 func show_model(model: AngledLinesModel, bounce: BounceRecord) -> void:
+	_frames_unshown = 0
 	_formula.show_lines(AngledLinesTexts.formula_lines(bounce != null))
 	var gravity := model.world.surroundings.gravity
 	var ball := model.ball()

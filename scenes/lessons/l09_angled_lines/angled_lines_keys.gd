@@ -2,7 +2,15 @@ class_name AngledLinesKeys
 extends Node
 ## The keys of the lesson on angled lines, those that students know from the course.
 
-## The student pressed the key of this action.
+## Gravity should point there; zero for none.
+signal gravity_pointed(direction: Vec2)
+## The ready-made situation of that number should be put up, or lost balls fetched.
+signal preset_picked(preset: String)
+## One frame on or back.
+signal step_wanted(is_forward: bool)
+## To the next impact (1) or the one before (-1).
+signal impact_wanted(direction: int)
+## The student pressed the key of another action.
 signal pressed(action: StringName)
 
 ## Those for the help line; a button on the screen names the others.
@@ -29,13 +37,19 @@ const ACTIONS: Array[StringName] = [
 	&"lab_preset_9",
 ]
 
-## Keys that a button names: of the line with the focus, and in the panel.
-const ON_BUTTONS: Array[StringName] = [&"lab_fetch_balls", &"lab_delete_line"]
+## Keys that a button names: of the line with the focus, of the timeline, and in the panel.
+const ON_BUTTONS: Array[StringName] = [
+	&"lab_fetch_balls", &"lab_delete_line", &"lab_next_impact", &"lab_previous_impact"
+]
 
 ## These go on while the key is held.
-const HELD: Array[StringName] = [&"lab_step", &"lab_step_back"]
+const HELD: Array[StringName] = [
+	&"lab_step", &"lab_step_back", &"lab_next_impact", &"lab_previous_impact"
+]
 
 const _PRESET := "lab_preset_"
+const _STEPS: Dictionary[StringName, bool] = {&"lab_step": true, &"lab_step_back": false}
+const _IMPACTS: Dictionary[StringName, int] = {&"lab_next_impact": 1, &"lab_previous_impact": -1}
 const _DIRECTIONS: Dictionary[StringName, Vector2i] = {
 	&"lab_gravity_left": Vector2i.LEFT,
 	&"lab_gravity_right": Vector2i.RIGHT,
@@ -45,27 +59,27 @@ const _DIRECTIONS: Dictionary[StringName, Vector2i] = {
 }
 
 
-## Whether the action gives gravity a direction.
-static func is_gravity(action: StringName) -> bool:
-	return action in _DIRECTIONS
-
-
-## The direction that it gives; zero for none.
-static func direction(action: StringName) -> Vec2:
-	return Vec2.new(_DIRECTIONS[action].x, _DIRECTIONS[action].y)
-
-
-## The number of the situation that the action puts up; -1 for another action.
-static func preset(action: StringName) -> int:
-	return action.trim_prefix(_PRESET).to_int() if action.begins_with(_PRESET) else -1
-
-
 func _unhandled_input(event: InputEvent) -> void:
 	for action: StringName in ACTIONS + ON_BUTTONS:
 		if event.is_action_pressed(action, action in HELD, true):
-			pressed.emit(action)
+			_tell(action)
 			get_viewport().set_input_as_handled()
 			return
+
+
+func _tell(action: StringName) -> void:
+	if action in _DIRECTIONS:
+		gravity_pointed.emit(Vec2.new(_DIRECTIONS[action].x, _DIRECTIONS[action].y))
+	elif action.begins_with(_PRESET):
+		preset_picked.emit(action.trim_prefix(_PRESET))
+	elif action in _IMPACTS:
+		impact_wanted.emit(_IMPACTS[action])
+	elif action in _STEPS:
+		step_wanted.emit(_STEPS[action])
+	elif action == &"lab_fetch_balls":
+		preset_picked.emit("fetch")
+	else:
+		pressed.emit(action)
 
 
 # A button that was clicked keeps the focus, and would take Space and the arrows from the lesson.

@@ -28,9 +28,11 @@ var scene := 0
 var selected := 0
 ## The latest bounce of the selected ball; null before it.
 var last_bounce: BounceRecord
+## In the event world any moment can be gone to; null in the other ways of stepping.
+var timeline: EventTimeline
 
 var _history := StepHistory.new()
-var _first_balls: Array[Ball] = []
+var _starts := BallStarts.new()
 var _first_energy := 0.0
 
 
@@ -44,21 +46,33 @@ func set_up(number: int) -> void:
 	scene = number
 	selected = 0
 	AngledLinesScenes.set_up(number, world)
-	_first_balls = _copies_of_balls()
+	_starts.take(world)
 	_begin()
+
+
+## Another model, at the start of the situation that was picked last.
+func start_again() -> AngledLinesModel:
+	var fresh := AngledLinesModel.new()
+	fresh.method = method
+	fresh.mistake = mistake
+	fresh.set_up(scene)
+	return fresh
 
 
 ## Puts up the situation of [param other], such as that of a question.
 func take(other: SteppedWorld) -> void:
 	selected = 0
 	world = other.copy()
-	_first_balls = _copies_of_balls()
+	_starts.take(world)
 	_begin()
 
 
-## Switches to the way of stepping [param new_method].
+## Switches to the way of stepping [param new_method]. All mistakes are made in stepping: in the
+## event world none is left.
 func set_method(new_method: SteppedWorld.Method) -> void:
 	method = new_method
+	if method == SteppedWorld.Method.EVENT_WORLD:
+		mistake = 0
 	_begin()
 
 
@@ -74,6 +88,9 @@ func set_mistake(number: int) -> void:
 
 ## One frame on.
 func step() -> void:
+	if timeline:
+		go_to(timeline.time + FRAME)
+		return
 	_history.remember(_worlds())
 	for some in _worlds():
 		some.step(FRAME)
@@ -84,13 +101,24 @@ func step() -> void:
 
 ## One frame back, to the last bit. False where nothing older is known.
 func step_back() -> bool:
+	if timeline:
+		var has_past := timeline.time > 0.0
+		go_to(maxf(timeline.time - FRAME, 0.0))
+		return has_past
 	last_bounce = null
 	return _history.go_back(_worlds())
 
 
-## How many frames can be gone back.
-func past_size() -> int:
-	return _history.size()
+## Goes to a moment of the [member timeline], in seconds since its beginning.
+func go_to(seconds: float) -> String:
+	var problem := timeline.go_to(seconds)
+	last_bounce = timeline.last_bounce(selected)
+	return problem
+
+
+## Seconds that have passed in the world.
+func elapsed_seconds() -> float:
+	return timeline.elapsed_seconds() if timeline else world.frames * FRAME
 
 
 ## Energy now as a share of the energy at the start: of [member world], or of [member wrong_world].
@@ -143,7 +171,7 @@ func lines() -> Array[LineSegment]:
 func change_ball(position: Vec2, velocity: Vec2) -> String:
 	var problem := world.change_ball(selected, position, velocity)
 	if not problem:
-		_first_balls[selected] = ball().copy()
+		_starts.change(selected, ball())
 		_begin()
 	return problem
 
@@ -158,24 +186,12 @@ func ball() -> Ball:
 	return world.balls[selected]
 
 
-## The place of the ball at [param point], or within [param reach] pixels of its edge; -1 for none.
-func ball_at(point: Vec2, reach: float) -> int:
-	var nearest := -1
-	var least := reach
-	for i in world.balls.size():
-		var gap := world.balls[i].position.distance_to(point) - world.balls[i].radius
-		if gap <= least and world.is_lost[i] == 0:
-			nearest = i
-			least = gap
-	return nearest
-
-
 ## Brings every lost ball back to where it began.
 func fetch_balls() -> void:
 	for some in _worlds():
-		for i in some.balls.size():
-			if some.is_lost[i]:
-				some.bring_back(i, _first_balls[i])
+		_starts.fetch(some)
+	if timeline:
+		timeline = EventTimeline.new(world)
 
 
 ## All of it, for undo and links.
@@ -186,7 +202,7 @@ func to_dictionary() -> Dictionary:
 		"mistake": mistake,
 		"selected": selected,
 		"world": WorldState.of(world),
-		"first": _first_numbers(),
+		"first": _starts.numbers(),
 	}
 
 
@@ -199,11 +215,9 @@ func from_dictionary(stored: Dictionary) -> void:
 	mistake = stored["mistake"]
 	selected = stored["selected"]
 	WorldState.put(stored_world, world)
-	_first_balls = _copies_of_balls()
+	_starts.take(world)
 	var numbers: PackedFloat64Array = stored["first"]
-	for i in _first_balls.size():
-		_first_balls[i].position.set_xy(numbers[4 * i], numbers[4 * i + 1])
-		_first_balls[i].velocity.set_xy(numbers[4 * i + 2], numbers[4 * i + 3])
+	_starts.put(numbers)
 	_begin()
 
 
@@ -217,6 +231,9 @@ func _begin() -> void:
 	_history.clear()
 	last_bounce = null
 	_first_energy = world.energy()
+	timeline = null
+	if method == SteppedWorld.Method.EVENT_WORLD:
+		timeline = EventTimeline.new(world)
 
 
 func _worlds() -> Array[SteppedWorld]:
@@ -224,21 +241,6 @@ func _worlds() -> Array[SteppedWorld]:
 	if wrong_world:
 		worlds.append(wrong_world)
 	return worlds
-
-
-# Where each ball began, and how fast: to there it is brought back.
-func _first_numbers() -> PackedFloat64Array:
-	var numbers: PackedFloat64Array = []
-	for some in _first_balls:
-		numbers.append_array([some.position.x, some.position.y, some.velocity.x, some.velocity.y])
-	return numbers
-
-
-func _copies_of_balls() -> Array[Ball]:
-	var copies: Array[Ball] = []
-	for some in world.balls:
-		copies.append(some.copy())
-	return copies
 
 
 static func _translate(sentence: String) -> String:

@@ -25,6 +25,7 @@ func _init(services: Dictionary[StringName, Control]) -> void:
 	_question = services[&"question"] as Question
 	_options.add_choice("method", tr("How a frame is stepped"), AngledLinesTexts.methods())
 	_options.add_switch("trails", tr("Trails"))
+	_options.add_switch("engine", tr("Godot"))
 	for i in AngledLinesScenes.TITLES.size():
 		_options.add_preset(str(i), "%d %s" % [i, tr(AngledLinesScenes.TITLES[i])])
 	_options.add_preset("fetch", tr("F Fetch"))
@@ -46,6 +47,11 @@ func show_all(model: AngledLinesModel, has_trails: bool) -> void:
 ## Shows whether trails are drawn.
 func show_trails(has_trails: bool) -> void:
 	_options.show_switch("trails", has_trails)
+
+
+## Shows whether Godot's own body flies along.
+func show_engine(is_on: bool) -> void:
+	_options.show_switch("engine", is_on)
 
 
 ## The situation that the question is about.

@@ -3,12 +3,13 @@ extends RefCounted
 ## The words and formula lines of the lesson on angled lines.
 
 
-## The three ways of stepping, in the order of [enum SteppedWorld.Method].
+## The ways of stepping, in the order of [enum SteppedWorld.Method].
 static func methods() -> PackedStringArray:
 	return [
 		_translate("Position reset"),
-		_translate("Impact, rest dropped"),
-		_translate("Impact, rest used"),
+		_translate("Rest dropped"),
+		_translate("Rest used"),
+		_translate("Event world"),
 	]
 
 
@@ -31,11 +32,22 @@ static func comparison(of: MethodComparison, method: SteppedWorld.Method) -> Pac
 	if of.lost_count(method):
 		text = _translate("%s, %d lost") % [text, of.lost_count(method)]
 	return [
-		[_translate("reset"), _translate("rest dropped"), _translate("rest used")][method],
+		_row_title(method),
 		text,
 		NumberText.size(share - 1.0) if of.keeps_energy() else "–",
 		_translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
 	]
+
+
+static func _row_title(method: SteppedWorld.Method) -> String:
+	match method:
+		SteppedWorld.Method.POSITION_RESET:
+			return _translate("reset")
+		SteppedWorld.Method.POINT_OF_IMPACT:
+			return _translate("rest dropped")
+		SteppedWorld.Method.WHOLE_FRAME:
+			return _translate("rest used")
+	return _translate("event world")
 
 
 ## The formula lines; [param has_bounce] where there is a bounce to show.
@@ -59,9 +71,7 @@ static func impact_label(bounce: BounceRecord) -> String:
 ## of 1/60 s.
 static func status(model: AngledLinesModel, milliseconds: float) -> String:
 	var world := model.world
-	var counters := [
-		world.frames, world.frames * AngledLinesModel.FRAME, world.bounces, world.losses
-	]
+	var counters := [world.frames, model.elapsed_seconds(), world.bounces, world.losses]
 	var cost := [milliseconds, milliseconds / AngledLinesModel.FRAME / 10.0]
 	return (
 		_translate("Frame %d = %.2f s    bounces %d    lost %d") % counters

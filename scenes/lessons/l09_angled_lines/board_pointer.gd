@@ -39,7 +39,7 @@ func point(at: Vec2, model: AngledLinesModel) -> void:
 	_is_pressed = true
 	# The course's keys work again after a click on the board.
 	get_viewport().gui_release_focus()
-	var index := model.ball_at(at, _REACH / _board.pixels_per_unit)
+	var index := model.world.ball_at(at, _REACH / _board.pixels_per_unit)
 	_has_ball = index >= 0
 	_start = _board.snapped_to_step(at)
 	_end = _start.copy()

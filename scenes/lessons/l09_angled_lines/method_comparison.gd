@@ -1,6 +1,6 @@
 class_name MethodComparison
 extends RefCounted
-## The same situation stepped in each of the three ways for a minute: what becomes of its energy,
+## The same situation stepped in each of the four ways for a minute: what becomes of its energy,
 ## and what a frame costs. Runs in small slices, so that nothing stutters.
 
 ## Frames that are compared: 60 seconds.
@@ -15,7 +15,8 @@ var _microseconds: PackedFloat64Array = []
 func begin(world: SteppedWorld) -> void:
 	_worlds.clear()
 	_first_energy = world.energy()
-	_microseconds = [0.0, 0.0, 0.0]
+	_microseconds.resize(SteppedWorld.Method.size())
+	_microseconds.fill(0.0)
 	for method: int in SteppedWorld.Method.size():
 		var copy := world.copy()
 		copy.mover = SteppedWorld.mover_of(method as SteppedWorld.Method)

@@ -40,11 +40,17 @@ func add_choice(key: String, title: String, texts: PackedStringArray) -> void:
 	list.tooltip_text = title
 	list.custom_minimum_size.y = 44.0
 	list.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	for text in texts:
-		list.add_item(text)
 	list.item_selected.connect(func(place: int) -> void: chosen.emit(key, place))
 	_lists[key] = list
+	fill_choice(key, texts)
 	_switches.add_child(list)
+
+
+## Puts other texts, translated, into a list that was added.
+func fill_choice(key: String, texts: PackedStringArray) -> void:
+	_lists[key].clear()
+	for text in texts:
+		_lists[key].add_item(text)
 
 
 ## Shows which one is chosen; emits nothing.

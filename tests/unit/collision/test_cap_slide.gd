@@ -91,6 +91,14 @@ func test_uphill_with_too_little_it_is_back_at_the_start_with_the_reversed_veloc
 	assert_almost_eq(-_slide.position_y, _RADIUS * cos(0.9) + height, 1e-13)
 
 
+func test_a_push_that_hardly_moves_it_is_over_after_twice_speed_over_pull() -> void:
+	# The way is 1e-12: the difference of the two angles alone would leave 4 digits.
+	_start(-0.7, 1e-6)
+	var wanted := 2e-6 / sin(0.7) / sqrt(_GRAVITY / _RADIUS)
+	assert_eq(_slide.ending, CapSlide.Ending.RETURNS)
+	assert_almost_eq(_slide.end_time, wanted, 1e-11 * wanted)
+
+
 func test_just_enough_speed_parts_the_ways() -> void:
 	var speed := 2.0 * sin(0.2)
 	_start(-0.4, speed * (1.0 - 1e-9))

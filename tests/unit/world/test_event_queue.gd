@@ -36,6 +36,17 @@ func test_of_equal_times_the_smaller_index_comes_first() -> void:
 	assert_eq(queue.first, 1)
 
 
+func test_times_that_differ_in_what_they_leave_over_are_told_apart() -> void:
+	var queue := EventQueue.new()
+	queue.resize(4)
+	queue.change(1, 5.0, 1e-17)
+	queue.change(2, 5.0, -1e-17)
+	queue.change(3, 5.0)
+	assert_eq([queue.first, queue.first_low], [2, -1e-17])
+	queue.change(2, INF)
+	assert_eq([queue.first, queue.first_low], [3, 0.0])
+
+
 func test_growing_keeps_the_times() -> void:
 	var queue := EventQueue.new()
 	queue.resize(2)

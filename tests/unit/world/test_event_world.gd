@@ -195,6 +195,20 @@ func test_stepping_to_the_next_event_stops_there() -> void:
 	assert_string_contains(world.advance_to_next_event(), "Nothing happens any more")
 
 
+func test_a_fast_ball_after_a_long_time_is_never_seen_beyond_a_wall() -> void:
+	# A last place of this time is worth 15 px of the way.
+	var world := EventWorlds.gas(1, 1)
+	world.change_ball(0, Ball.new(Vec2.new(20, 20), 10))
+	world.advance(1e8)
+	world.change_ball(0, Ball.new(Vec2.new(20, 20), 10, Vec2.new(1e9, 7e8)))
+	var outside := PackedFloat64Array()
+	for step: int in 500:
+		world.advance(1.37e-9)
+		var x := world.position_x(0)
+		outside.append(maxf(10.0 - x, x - (sqrt(PI * 1000.0) - 10.0)))
+	assert_all_at_most(outside, 1e-6)
+
+
 func test_a_place_within_a_flight_is_told_without_moving_anything() -> void:
 	var world := EventWorlds.world(
 		[Vector4(30, -10, 30, 10)], [Ball.new(Vec2.new(0, 0), 5, Vec2.new(10, 0))]

@@ -1,0 +1,147 @@
+class_name EventTimeline
+extends RefCounted
+## The balls of the lesson in event worlds, so that any moment can be gone to, back and forth: what
+## is to come is known, and what has been is kept once a second.
+##
+## Each ball has a world of its own, because in this lesson balls do not touch each other. Times are
+## in seconds since the timeline was begun.
+
+## So many seconds are looked ahead, and are shown.
+const SPAN := 10.0
+# Seconds by which two moments must differ to be two.
+const _NOTHING := 1e-9
+
+## The moment at which the balls are.
+var time := 0.0
+
+var _world: SteppedWorld
+# null for a ball that was lost when the timeline began.
+var _worlds: Array[EventWorld] = []
+# For each ball, what it was like after 0, 1, 2... seconds.
+var _snapshots: Array[Array] = []
+var _first_frames := 0
+var _first_bounces := 0
+var _forecast: EventWorld
+var _forecast_index := -1
+var _impacts: Array[WorldEvent] = []
+
+
+## The timeline of the balls of [param world] from now on; it moves them.
+func _init(world: SteppedWorld) -> void:
+	_world = world
+	_first_frames = world.frames
+	_first_bounces = world.bounces
+	for i in world.balls.size():
+		var made: EventWorld = null
+		if world.is_lost[i] == 0:
+			made = EventMover.world_of(world.balls[i], world.surroundings)
+			_snapshots.append([made.snapshot()])
+		else:
+			_snapshots.append([])
+		_worlds.append(made)
+
+
+## Goes to a moment, at 0 or later. "" or one sentence: then a ball bounces too often to go there.
+func go_to(seconds: float) -> String:
+	var problem := ""
+	_world.latest_bounces.clear()
+	_world.bounces = _first_bounces
+	for i in _worlds.size():
+		if _worlds[i]:
+			var refused := _bring(i, seconds)
+			problem = problem if problem else refused
+			_show(i)
+	time = seconds
+	_world.frames = _first_frames + floori(time / AngledLinesModel.FRAME + _NOTHING)
+	return problem
+
+
+## Seconds that have passed in the world, with those before the timeline was begun.
+func elapsed_seconds() -> float:
+	return _first_frames * AngledLinesModel.FRAME + time
+
+
+## The impacts of a ball from the beginning until [param seconds], and those known beyond.
+func impacts(index: int, seconds: float) -> Array[WorldEvent]:
+	if index != _forecast_index:
+		_forecast_index = index
+		_forecast = null
+		_impacts.clear()
+		if _worlds[index]:
+			_forecast = EventMover.world_of(_first_ball(index), _world.surroundings)
+	if _forecast and _forecast.time < seconds:
+		_forecast.advance_to(seconds)
+		_impacts.append_array(_forecast.events)
+		_forecast.events.clear()
+	return _impacts
+
+
+## The moment of the ball's next impact after now, or of the one before; -1 where none is known.
+func impact_time(index: int, direction: int) -> float:
+	var found := -1.0
+	for event in impacts(index, page_start() + SPAN):
+		if direction > 0 and event.time > time + _NOTHING:
+			return event.time
+		if direction < 0 and event.time < time - _NOTHING:
+			found = event.time
+	return found
+
+
+## The latest bounce of the ball until now, as a lesson shows it; null before the first.
+func last_bounce(index: int) -> BounceRecord:
+	var latest: WorldEvent = null
+	for event in impacts(index, time):
+		if event.time <= time + _NOTHING and event.kind == WorldEvent.Kind.SEGMENT:
+			latest = event
+	return _record(latest, index) if latest else null
+
+
+## When the stretch begins that is shown: it holds now and is [constant SPAN] long.
+func page_start() -> float:
+	return floorf(time / SPAN + _NOTHING) * SPAN
+
+
+func _bring(index: int, seconds: float) -> String:
+	var world := _worlds[index]
+	var kept := _snapshots[index]
+	if seconds < world.time:
+		var place := mini(floori(seconds), kept.size() - 1)
+		var snapshot: WorldSnapshot = kept[place]
+		world.restore(snapshot)
+	world.events.clear()
+	while kept.size() <= seconds:
+		var problem := world.advance_to(kept.size())
+		if problem:
+			return problem
+		kept.append(world.snapshot())
+	return world.advance_to(seconds)
+
+
+func _show(index: int) -> void:
+	var ball := _world.balls[index]
+	ball.position = _worlds[index].position(0)
+	ball.velocity = _worlds[index].velocity(0)
+	_world.bounces += _worlds[index].impacts
+	_world.is_lost[index] = 0 if SteppedWorld.reaches(ball.position) else 1
+	for event in _worlds[index].events:
+		if event.kind == WorldEvent.Kind.SEGMENT:
+			_world.latest_bounces.append(_record(event, index))
+
+
+# The share of its frame is taken as a frame of the course would have it.
+func _record(event: WorldEvent, index: int) -> BounceRecord:
+	var frame_start := floorf(event.time / AngledLinesModel.FRAME) * AngledLinesModel.FRAME
+	var radius := _world.balls[index].radius
+	var record := EventMover.record_of(event, radius, frame_start, AngledLinesModel.FRAME)
+	record.ball_index = index
+	return record
+
+
+func _first_ball(index: int) -> Ball:
+	var world := _worlds[index]
+	var now := world.snapshot()
+	var first: WorldSnapshot = _snapshots[index][0]
+	world.restore(first)
+	var ball := world.ball(0)
+	world.restore(now)
+	return ball

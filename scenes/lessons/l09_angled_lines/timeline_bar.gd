@@ -1,0 +1,115 @@
+class_name TimelineBar
+extends Control
+## The seconds that a timeline knows, with its impacts as diamonds and the moment that is now: it
+## can be dragged along, or moved with the arrow keys.
+
+## The student wants to be at this moment, in seconds since the timeline's beginning.
+signal moment_wanted(seconds: float)
+
+# Seconds that an arrow key moves by.
+const _NUDGE := 0.1
+const _MARGIN := 14.0
+const _FONT_SIZE := 14
+
+var _now := 0.0
+var _from := 0.0
+var _impacts: PackedFloat64Array = []
+var _rests: PackedFloat64Array = []
+
+
+func _ready() -> void:
+	focus_entered.connect(queue_redraw)
+	focus_exited.connect(queue_redraw)
+	resized.connect(queue_redraw)
+
+
+## Shows [param timeline] with the impacts of the ball at the place [param index].
+func show_timeline(timeline: EventTimeline, index: int) -> void:
+	_now = timeline.time
+	_from = timeline.page_start()
+	_impacts.clear()
+	_rests.clear()
+	for event in timeline.impacts(index, _from + EventTimeline.SPAN):
+		if event.kind == WorldEvent.Kind.SEGMENT:
+			_impacts.append(event.time)
+		elif event.kind == WorldEvent.Kind.REST:
+			_rests.append(event.time)
+	queue_redraw()
+
+
+## Where a moment is, in pixels of the bar.
+func pixel_of(seconds: float) -> float:
+	var share := (seconds - _from) / EventTimeline.SPAN
+	return lerpf(_MARGIN, size.x - _MARGIN, share)
+
+
+func _draw() -> void:
+	var line := size.y * 0.36
+	draw_line(Vector2(_MARGIN, line), Vector2(size.x - _MARGIN, line), Palette.AXIS, 2.0)
+	_draw_seconds(line)
+	for seconds in _impacts:
+		_draw_diamond(seconds, line, Palette.Role.PROJECTION)
+	for seconds in _rests:
+		_draw_diamond(seconds, line, Palette.Role.UNIT)
+	_draw_now(line)
+	if has_focus():
+		draw_rect(Rect2(Vector2.ZERO, size), Palette.FOCUS, false, 3.0)
+
+
+func _draw_seconds(line: float) -> void:
+	var font := ThemeDB.fallback_font
+	var color := Palette.color(Palette.Role.QUIET)
+	for i in int(EventTimeline.SPAN) + 1:
+		var x := pixel_of(_from + i)
+		draw_line(Vector2(x, line - 5.0), Vector2(x, line + 5.0), Palette.AXIS, 1.5)
+		var text := "%d" % (_from + i) + (" s" if i == int(EventTimeline.SPAN) else "")
+		var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
+		var at := Vector2(minf(x - width / 2.0, size.x - width), size.y - 4.0)
+		draw_string(font, at, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
+
+
+func _draw_diamond(seconds: float, line: float, role: Palette.Role) -> void:
+	var middle := Vector2(pixel_of(seconds), line)
+	if middle.x < _MARGIN - 1.0 or middle.x > size.x - _MARGIN + 1.0:
+		return
+	var corners: PackedVector2Array = []
+	for direction: Vector2 in [Vector2.UP, Vector2.RIGHT, Vector2.DOWN, Vector2.LEFT]:
+		corners.append(middle + direction * Vector2(5.5, 9.0))
+	draw_colored_polygon(corners, Palette.color(role))
+
+
+func _draw_now(line: float) -> void:
+	var at := Vector2(pixel_of(_now), line)
+	var color := Palette.color(Palette.Role.A)
+	draw_line(Vector2(at.x, 1.0), Vector2(at.x, size.y - 18.0), color, 3.0)
+	var dot := DotTexture.of(Palette.PAPER, color, 7.0)
+	draw_texture(dot, at - dot.get_size() / 2.0)
+
+
+func _gui_input(event: InputEvent) -> void:
+	var click := event as InputEventMouseButton
+	var motion := event as InputEventMouseMotion
+	if click and click.button_index == MOUSE_BUTTON_LEFT:
+		if click.pressed:
+			_want_pixel(click.position.x)
+		accept_event()
+	elif motion and motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
+		_want_pixel(motion.position.x)
+		accept_event()
+	elif event.is_action_pressed(&"ui_left", true):
+		_want(_now - _NUDGE)
+	elif event.is_action_pressed(&"ui_right", true):
+		_want(_now + _NUDGE)
+	elif event.is_action_pressed(&"ui_home"):
+		_want(_from)
+
+
+# A drag stays within what is shown: the page turns by playing on, or with the arrow keys.
+func _want_pixel(pixel: float) -> void:
+	var share := clampf((pixel - _MARGIN) / (size.x - 2.0 * _MARGIN), 0.0, 0.9999)
+	moment_wanted.emit(_from + share * EventTimeline.SPAN)
+
+
+func _want(seconds: float) -> void:
+	accept_event()
+	moment_wanted.emit(maxf(seconds, 0.0))

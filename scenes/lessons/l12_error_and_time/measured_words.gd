@@ -1,0 +1,90 @@
+class_name MeasuredWords
+extends RefCounted
+## What the measured problems, methods and settings are called, for readers of any language: the
+## names themselves stand in tables and files, in English.
+##
+## Numbers in a name are left out of what is translated: `240 steps a second` is looked up as
+## `%s steps a second`.
+
+# Titles of the problems by their id: source text.
+const _TITLES: Dictionary[String, String] = {
+	"scalar_projection": "Scalar projection",
+	"ball_in_box": "One ball in a box",
+	"angled_lines": "Among angled lines",
+	"many_segments": "Many segments",
+	"dropped_ball": "A dropped ball",
+	"many_balls": "Many balls",
+	"digits_of_pi": "Digits of pi",
+}
+
+# The axes of all problems: source text.
+const _AXES: PackedStringArray = [
+	"run time, µs per call",
+	"run time, µs per simulated second",
+	"worst error / |a|",
+	"error, px",
+	"%s / bounces until %s px off",
+	"error of the height, px",
+	"worst overlap of two balls, px",
+	"run time, µs for all impacts",
+	"impacts too few or too many",
+]
+
+# Situations, methods and what they are set to: source text.
+const _NAMES: PackedStringArray = [
+	"up to %s px",
+	"nearly perpendicular",
+	"%s to %s px",
+	"atan2 and cos",
+	"dot product",
+	"Vector2",
+	"share of |a|",
+	"%s px/s, %s s",
+	"%s Hz",
+	"position reset",
+	"impact, rest dropped",
+	"impact, rest used",
+	"event world",
+	"event world, walls as segments",
+	"event world, grid",
+	"event world, scan",
+	"%s segments",
+	"%s balls",
+	"explicit Euler",
+	"semi-implicit Euler",
+	"velocity Verlet",
+	"penalty spring, %s Hz",
+	"from impact to impact",
+	"stepped",
+	"impacts",
+	"move_and_collide, segments",
+	"move_and_collide, concave shape",
+	"body_test_motion, segments",
+	"body_test_motion, concave shape",
+	"RigidBody2D",
+	"RigidBody2D, CCD ray",
+]
+
+# Not a digit within a word, such as that of atan2.
+const _NUMBER := "(?<![\\w.])\\d+(?:[.,]\\d+)*(?:e-?\\d+)?"
+
+
+## The title of the problem with this id; the id itself for one that has none here.
+static func title(id: String) -> String:
+	var known: String = _TITLES.get(id, id)
+	return TranslationServer.translate(known)
+
+
+## A name in the reader's language, with its numbers.
+static func of(name_in_table: String) -> String:
+	var numbers: Array[String] = []
+	for hit in RegEx.create_from_string(_NUMBER).search_all(name_in_table):
+		numbers.append(hit.get_string())
+	var translated: String = TranslationServer.translate(pattern(name_in_table))
+	return translated % numbers
+
+
+## What is looked up for a name: %s for each number, %% for a percent sign.
+static func pattern(name_in_table: String) -> String:
+	var plain := name_in_table.replace("%", "%%")
+	return RegEx.create_from_string(_NUMBER).sub(plain, "%s", true)

@@ -1,0 +1,106 @@
+class_name SlopeExercise
+extends Exercise
+## Asks what can be read off a plot of error over run time, with fresh numbers: the order of a
+## method, what a smaller error costs, who is on the frontier.
+
+## What is asked for.
+enum Kind { ORDER, COST, FRONTIER }
+
+## The numbers of the question: run time in µs, error in px, one after the other.
+var points: PackedFloat64Array = []
+
+
+## A question with numbers drawn from [param rng].
+static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SlopeExercise:
+	var exercise := new()
+	match kind:
+		Kind.ORDER:
+			exercise._ask_order(rng)
+		Kind.COST:
+			exercise._ask_cost(rng)
+		Kind.FRONTIER:
+			exercise._ask_frontier(rng)
+	return exercise
+
+
+func _ask_order(rng: RandomNumberGenerator) -> void:
+	var order: int = [1, 2, 4][rng.randi_range(0, 2)]
+	var slower: int = [2, 10][rng.randi_range(0, 1)]
+	var time := rng.randi_range(2, 9) * 10.0
+	var least := rng.randi_range(1, 9) / 1000.0
+	var most := least * slower ** order
+	points = [time, most, time * slower, least]
+	prompt = (
+		(
+			tr("A method takes %s µs for an error of %s px, and with a smaller step %s µs ")
+			+ tr("for %s px. What is its order p?")
+		)
+		% _texts(points)
+	)
+	answer_titles = ["p ="]
+	right_answer = [order]
+	add_mistake(
+		[slower ** order],
+		tr("So many times smaller is the error. p is the power of the time in it.")
+	)
+	add_mistake([-order], tr("The error falls while the run time grows: that is a positive order."))
+	if order > 1:
+		add_mistake([1.0 / order], tr("Upside down: log of the errors over log of the run times."))
+
+
+func _ask_cost(rng: RandomNumberGenerator) -> void:
+	var order := rng.randi_range(1, 2)
+	var root: int = [4, 5, 10][rng.randi_range(0, 2)]
+	var closer := root * root
+	var time := rng.randi_range(2, 9) * 1.0
+	prompt = (
+		(
+			tr("A method of order %d takes %s µs for an error of 1 px. ")
+			+ tr("How many µs does it take for 1/%d px?")
+		)
+		% [order, NumberText.short(time), closer]
+	)
+	answer_titles = ["t ="]
+	right_answer = [time * (closer if order == 1 else root)]
+	points = [time, 1.0, right_answer[0], 1.0 / closer]
+	if order == 1:
+		add_mistake(
+			[time * root], tr("That is order 2: with order 1 twice the time halves the error.")
+		)
+	else:
+		add_mistake([time * closer], tr("That is order 1: with order 2 twice the time leaves 1/4."))
+	add_mistake([time * closer ** 2], tr("That way the time would grow with the square."))
+	add_mistake([time], tr("A smaller error is not had for the same time."))
+
+
+func _ask_frontier(rng: RandomNumberGenerator) -> void:
+	var fastest := rng.randi_range(1, 5) * 10.0
+	var error := rng.randi_range(4, 9) * 1.0
+	var has_three := rng.randi_range(0, 1) == 1
+	var second := error / 2.0 if has_three else error + 2.0
+	var third := second + 1.0
+	points = [fastest, error, 2.0 * fastest, second, 3.0 * fastest, third, 5.0 * fastest, 0.1]
+	prompt = (
+		(
+			tr("A takes %s µs for an error of %s px, B %s µs for %s px, C %s µs for %s px, ")
+			+ tr("D %s µs for %s px. How many of them are on the frontier?")
+		)
+		% _texts(points)
+	)
+	answer_titles = ["n ="]
+	right_answer = [3.0 if has_three else 2.0]
+	if has_three:
+		add_mistake([2.0], tr("B, too: nobody is both faster and closer than B."))
+	else:
+		add_mistake([3.0], tr("A is faster than B and C, and closer than both."))
+	add_mistake([4.0], tr("C is not: another one is faster and closer."))
+	add_mistake(
+		[1.0], tr("Whoever is not beaten in both counts: the fastest and the closest at least.")
+	)
+
+
+static func _texts(numbers: PackedFloat64Array) -> Array[String]:
+	var texts: Array[String] = []
+	for number in numbers:
+		texts.append(NumberText.short(number))
+	return texts

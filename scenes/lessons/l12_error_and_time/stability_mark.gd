@@ -1,0 +1,40 @@
+class_name StabilityMark
+extends Control
+## What became of a case, by sign and colour: a tick, a cross, or an empty ring as long as it was
+## not tried.
+
+## What can have become of it.
+enum Outcome { WAITING, PASSED, FAILED }
+
+const _RADIUS := 15.0
+
+## What is shown.
+var outcome := Outcome.WAITING:
+	set(value):
+		outcome = value
+		accessibility_name = [tr("not tried yet"), tr("holds"), tr("does not hold")][value]
+		queue_redraw()
+
+
+func _init() -> void:
+	custom_minimum_size = Vector2(_RADIUS, _RADIUS) * 2.4
+	mouse_filter = Control.MOUSE_FILTER_PASS
+
+
+func _draw() -> void:
+	var middle := size / 2.0
+	match outcome:
+		Outcome.WAITING:
+			draw_circle(middle, _RADIUS - 4.0, Palette.BORDER, false, 2.0, true)
+		Outcome.PASSED:
+			draw_circle(middle, _RADIUS, Palette.color(Palette.Role.RIGHT), true, -1.0, true)
+			_draw_stroke(middle, Vector2(-7.0, 0.0), Vector2(-2.0, 6.0))
+			_draw_stroke(middle, Vector2(-2.0, 6.0), Vector2(7.0, -6.0))
+		Outcome.FAILED:
+			draw_circle(middle, _RADIUS, Palette.color(Palette.Role.WRONG), true, -1.0, true)
+			_draw_stroke(middle, Vector2(-6.0, -6.0), Vector2(6.0, 6.0))
+			_draw_stroke(middle, Vector2(-6.0, 6.0), Vector2(6.0, -6.0))
+
+
+func _draw_stroke(middle: Vector2, from: Vector2, to: Vector2) -> void:
+	draw_line(middle + from, middle + to, Palette.PAPER, 3.5, true)

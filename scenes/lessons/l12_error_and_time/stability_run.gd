@@ -1,0 +1,36 @@
+class_name StabilityRun
+extends LiveRun
+## The stiff and extreme cases, tried one after the other in their quick form.
+
+## The cases in the order of the table.
+var cases: Array[StabilityCase] = []
+## What became of those that have been tried, in the same order.
+var results: Array[StabilityResult] = []
+
+
+## A run over these cases.
+func _init(of_cases: Array[StabilityCase]) -> void:
+	cases = of_cases
+
+
+## See [method LiveRun.size].
+func size() -> int:
+	return cases.size()
+
+
+## See [method LiveRun.done_count].
+func done_count() -> int:
+	return results.size()
+
+
+## See [method LiveRun.do_next].
+func do_next() -> void:
+	results.append(cases[results.size()].run(true))
+
+
+## How many of those tried hold.
+func passed_count() -> int:
+	var count := 0
+	for result in results:
+		count += 1 if result.passed else 0
+	return count

@@ -1,0 +1,33 @@
+class_name StabilityTable
+extends ScrollContainer
+## The table of stiff and extreme cases on the board, a row a case; follows the one that was tried
+## last.
+
+const _ROW := preload("res://scenes/lessons/l12_error_and_time/stability_row.tscn")
+
+var _shown := 0
+
+@onready var _rows: VBoxContainer = %Rows
+
+
+## Shows the cases of [param run] and what became of them.
+func show_run(run: StabilityRun) -> void:
+	if _rows.get_child_count() == 0:
+		for case in run.cases:
+			_rows.add_child(_ROW.instantiate())
+		_show_rows(run, 0, run.size())
+	_show_rows(run, mini(_shown, run.done_count()), maxi(_shown, run.done_count()))
+	if run.is_going and run.done_count() > 0:
+		ensure_control_visible.call_deferred(row(run.done_count() - 1))
+	_shown = run.done_count()
+
+
+## The row of a case, by its place.
+func row(place: int) -> StabilityRow:
+	return _rows.get_child(place) as StabilityRow
+
+
+func _show_rows(run: StabilityRun, from: int, to: int) -> void:
+	for place in range(from, to):
+		var result := run.results[place] if place < run.done_count() else null
+		row(place).show_case(run.cases[place], result)

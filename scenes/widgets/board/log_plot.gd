@@ -1,0 +1,218 @@
+class_name LogPlot
+extends Control
+## A plot with two logarithmic axes, such as error over run time: points that tell in words what
+## they are when they are pointed at with mouse, finger, keys or gamepad, and the frontier of those
+## that no other beats.
+
+## The student pointed at the point with this place in the list; -1 for none any more.
+signal point_chosen(index: int)
+
+# A pointer this close to a point, in pixels, means it.
+const _REACH := 30.0
+const _MARGIN_LEFT := 74.0
+const _MARGIN := 14.0
+const _FOOT := 52.0
+const _FONT_SIZE := 16
+# From a point to its card.
+const _BESIDE := 16.0
+
+var _area := LogPlotArea.new()
+var _legend := PlotLegend.new()
+var _points: Array[PlotPoint] = []
+var _frontier: PackedInt32Array = []
+var _hollow: Array[bool] = []
+var _x_title := ""
+var _y_title := ""
+var _chosen := -1
+
+@onready var _card: PanelContainer = %Card
+@onready var _words: Label = %Words
+
+
+func _ready() -> void:
+	resized.connect(_lay)
+	focus_entered.connect(queue_redraw)
+	focus_exited.connect(queue_redraw)
+	_lay()
+
+
+## Names both axes, translated.
+func name_axes(x_title: String, y_title: String) -> void:
+	_x_title = x_title
+	_y_title = y_title
+	accessibility_name = tr("%s over %s") % [y_title, x_title]
+	queue_redraw()
+
+
+## Names the series, translated, and says which have hollow marks; the numbers of [PlotPoint] count
+## them.
+func show_series(names: PackedStringArray, is_hollow: Array[bool]) -> void:
+	_hollow = is_hollow
+	_legend.name_series(names, is_hollow, tr("frontier: none is faster and closer"))
+	_lay()
+
+
+## Shows these points; [param frontier] has the places of those that no other beats, from left to
+## right. A point that is added keeps the others in their places in the list.
+func show_points(points: Array[PlotPoint], frontier: PackedInt32Array) -> void:
+	_points = points
+	_frontier = frontier
+	_area.fit(points)
+	if _chosen >= points.size():
+		_chosen = -1
+	_lay()
+
+
+## Shows which point is pointed at, -1 for none; emits nothing.
+func show_chosen(index: int) -> void:
+	_chosen = index
+	_show_card()
+	queue_redraw()
+
+
+## Which point is pointed at; -1 for none.
+func chosen() -> int:
+	return _chosen
+
+
+## Where a point is drawn, in pixels of the plot.
+func pixel_of(index: int) -> Vector2:
+	return _area.pixel(_points[index])
+
+
+func _lay() -> void:
+	var top := _legend.height(size.x - 2.0 * _MARGIN) + 2.0 * _MARGIN + 24.0
+	var corner := Vector2(_MARGIN_LEFT, top)
+	_area.field = Rect2(corner, size - corner - Vector2(2.0 * _MARGIN, _FOOT))
+	_show_card()
+	queue_redraw()
+
+
+func _draw() -> void:
+	_legend.draw(self, Vector2(_MARGIN, _MARGIN), size.x - 2.0 * _MARGIN)
+	_area.draw(self)
+	_draw_titles()
+	_draw_series()
+	_draw_frontier()
+	for i in _points.size():
+		PlotMark.draw(self, _points[i].series, pixel_of(i), _hollow[_points[i].series])
+	if _chosen >= 0:
+		draw_arc(pixel_of(_chosen), PlotMark.RADIUS + 6.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
+	if has_focus():
+		draw_rect(Rect2(Vector2.ZERO, size).grow(-2.0), Palette.FOCUS, false, 3.0)
+
+
+func _draw_titles() -> void:
+	var field := _area.field
+	_write(_y_title + "  ↓ " + tr("closer"), Vector2(_MARGIN, field.position.y - 14.0), 0.0)
+	var right := Vector2(field.end.x, size.y - 10.0)
+	_write("← " + tr("faster") + "   " + _x_title, right, 1.0)
+
+
+# A thin line joins the settings of each method: its slope is what a smaller step is worth.
+func _draw_series() -> void:
+	for series in _hollow.size():
+		var pixels: PackedVector2Array = []
+		for i in _points.size():
+			if _points[i].series == series:
+				pixels.append(pixel_of(i))
+		pixels.sort()
+		if pixels.size() > 1:
+			draw_polyline(pixels, Color(PlotMark.color(series), 0.4), 1.5, true)
+
+
+# A staircase: right of it and above it somebody is both faster and closer.
+func _draw_frontier() -> void:
+	var color := Palette.color(Palette.Role.INK)
+	for i in _frontier.size():
+		var at := pixel_of(_frontier[i])
+		var top := pixel_of(_frontier[i - 1]).y if i > 0 else _area.field.position.y
+		draw_dashed_line(Vector2(at.x, top), at, color, 2.0, 6.0)
+		var is_last := i == _frontier.size() - 1
+		var right := _area.field.end.x if is_last else pixel_of(_frontier[i + 1]).x
+		draw_dashed_line(at, Vector2(right, at.y), color, 2.0, 6.0)
+
+
+func _gui_input(event: InputEvent) -> void:
+	var mouse := event as InputEventMouse
+	if mouse:
+		_point_at(mouse)
+	elif event.is_action_pressed(&"ui_left", true):
+		_go(-1, func(i: int) -> float: return pixel_of(i).x)
+	elif event.is_action_pressed(&"ui_right", true):
+		_go(1, func(i: int) -> float: return pixel_of(i).x)
+	elif event.is_action_pressed(&"ui_up", true):
+		_go(-1, func(i: int) -> float: return pixel_of(i).y)
+	elif event.is_action_pressed(&"ui_down", true):
+		_go(1, func(i: int) -> float: return pixel_of(i).y)
+
+
+func _point_at(mouse: InputEventMouse) -> void:
+	var nearest := -1
+	var least := _REACH
+	for i in _points.size():
+		var distance := pixel_of(i).distance_to(mouse.position)
+		if distance < least:
+			nearest = i
+			least = distance
+	var is_click := mouse is InputEventMouseButton and mouse.is_pressed()
+	if nearest >= 0 or is_click:
+		_choose(nearest)
+
+
+# To the next point in the order of `place`; points at the same place follow each other, too.
+func _go(direction: int, place: Callable) -> void:
+	accept_event()
+	if _points.is_empty():
+		return
+	var order: Array[int] = []
+	order.assign(range(_points.size()))
+	order.sort_custom(func(a: int, b: int) -> bool: return [place.call(a), a] < [place.call(b), b])
+	var here := order.find(_chosen)
+	var next := here + direction if here >= 0 else 0
+	_choose(order[clampi(next, 0, order.size() - 1)])
+
+
+func _choose(index: int) -> void:
+	if index != _chosen:
+		show_chosen(index)
+		point_chosen.emit(index)
+
+
+func _show_card() -> void:
+	_card.visible = _chosen >= 0
+	if _chosen < 0:
+		return
+	_words.text = "\n".join(_points[_chosen].words)
+	_card.reset_size()
+	_card.position = _place_beside(pixel_of(_chosen), _card.size)
+
+
+# Above or below the point, to its right or left: where the card hides the fewest others.
+func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
+	var best := Vector2.ZERO
+	var fewest := _points.size() + 1
+	for across: float in [_BESIDE, -_BESIDE - extent.x]:
+		for down: float in [-_BESIDE - extent.y, _BESIDE]:
+			var place := (at + Vector2(across, down)).clamp(Vector2.ZERO, size - extent)
+			var covered := _count_inside(Rect2(place, extent).grow(PlotMark.RADIUS))
+			if covered < fewest:
+				best = place
+				fewest = covered
+	return best
+
+
+func _count_inside(place: Rect2) -> int:
+	var count := 0
+	for i in _points.size():
+		if place.has_point(pixel_of(i)):
+			count += 1
+	return count
+
+
+func _write(text: String, at: Vector2, right: float) -> void:
+	var font := ThemeDB.fallback_font
+	var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
+	var color := Palette.color(Palette.Role.INK)
+	var start := at - Vector2(width * right, 0.0)
+	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)

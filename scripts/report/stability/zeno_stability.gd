@@ -1,0 +1,89 @@
+class_name ZenoStability
+extends StabilityFamily
+## Bounces that pile up: a dropped ball that keeps the share C of its speed bounces infinitely often
+## in finite time. And one that keeps all of it bounces for ever.
+
+const _BOUNCINESSES: PackedFloat64Array = [0.0, 0.5, 0.9, 0.99, 0.999]
+# The liveliest ball of the quick form.
+const _QUICK_BOUNCINESS := 0.99
+const _GRAVITY := 1000.0
+const _HEIGHT := 200.0
+const _RADIUS := 10.0
+const _SLOPE_DEGREES := 20.0
+
+const _BOUNCES := 1000000
+const _QUICK_BOUNCES := 1500
+
+
+## See [method StabilityFamily.cases].
+func cases() -> Array[StabilityCase]:
+	var found: Array[StabilityCase] = []
+	for bounciness in _BOUNCINESSES:
+		found.append(_rest_case(tr("Dropped on a floor, C = %s"), bounciness, 0.0))
+	found.append(_rest_case(tr("Dropped on a slope of 20°, C = %s"), 0.9, _SLOPE_DEGREES))
+	var elastic := _case(
+		tr("Dropped on a floor, C = 1, 10^6 bounces"), tr("energy within 1e-12"), _try_elastic
+	)
+	found.append(elastic.with_quick_form(tr("%d bounces") % _QUICK_BOUNCES))
+	var box := _case(
+		tr("In a box without gravity, C = 1, 10^6 bounces"), tr("energy within 1e-12"), _try_box
+	)
+	found.append(box.with_quick_form(tr("%d bounces") % _QUICK_BOUNCES))
+	return found
+
+
+func _rest_case(title: String, bounciness: float, slope: float) -> StabilityCase:
+	var criterion := tr("rest after %s s within 1e-9 s")
+	var case := _case(
+		title % NumberText.short(bounciness),
+		criterion % NumberText.short(_rest_time(bounciness, slope), 6),
+		_try_rest.bind(bounciness, slope)
+	)
+	if bounciness > _QUICK_BOUNCINESS:
+		case.with_quick_form("C = %s" % NumberText.short(_QUICK_BOUNCINESS))
+	return case
+
+
+# Down once, then up and down for ever: t (1 + 2 C + 2 C^2 + ...) = t (1 + C) / (1 - C).
+func _rest_time(bounciness: float, slope_degrees: float) -> float:
+	var pull := _GRAVITY * cos(Vec2.deg_to_rad(slope_degrees))
+	return sqrt(2.0 * _HEIGHT / pull) * (1.0 + bounciness) / (1.0 - bounciness)
+
+
+func _try_rest(is_quick: bool, bounciness: float, slope_degrees: float) -> StabilityResult:
+	if is_quick:
+		bounciness = minf(bounciness, _QUICK_BOUNCINESS)
+	var along := Vec2.unit_degrees(slope_degrees)
+	var start := along.normal().scaled(-_HEIGHT - _RADIUS)
+	var floor_line := LineSegment.new(along.scaled(-1e3), along.scaled(1e9))
+	var world := _world([floor_line], [Ball.new(start, _RADIUS)])
+	_need(world.set_gravity(Vec2.new(0.0, _GRAVITY)))
+	_need(world.set_bounciness(bounciness))
+	var wanted := _rest_time(bounciness, slope_degrees)
+	_need(world.advance(wanted + 1.0))
+	# The last flight, in which the ball lies or slides, begins with the rest.
+	var error := absf(world.flight_start(0) - wanted)
+	var figure := tr("bounces: %d, rest off by %s s") % [world.impacts, NumberText.size(error)]
+	return StabilityResult.new(figure, error <= 1e-9 and world.is_resting(0))
+
+
+func _try_elastic(is_quick: bool) -> StabilityResult:
+	var ball := Ball.new(Vec2.new(0.0, -_HEIGHT - _RADIUS), _RADIUS)
+	var world := _world([_segment(-100.0, 0.0, 100.0, 0.0)], [ball])
+	_need(world.set_gravity(Vec2.new(0.0, _GRAVITY)))
+	return _energy_after_bounces(world, is_quick)
+
+
+func _try_box(is_quick: bool) -> StabilityResult:
+	var box := _rectangle(Vec2.new(0.0, 0.0), Vec2.new(600.0, 400.0))
+	return _energy_after_bounces(_world(box, [_ball(137.0, 91.0, 431.0, 277.0, _RADIUS)]), is_quick)
+
+
+func _energy_after_bounces(world: EventWorld, is_quick: bool) -> StabilityResult:
+	var wanted := _QUICK_BOUNCES if is_quick else _BOUNCES
+	var energy := world.energy()
+	var worst := 0.0
+	while world.impacts < wanted and refusal == "":
+		_need(world.advance(100.0 if is_quick else 10000.0))
+		worst = maxf(worst, absf(world.energy() / energy - 1.0))
+	return _at_most(worst, 1e-12)

@@ -1,0 +1,59 @@
+@abstract class_name StabilityFamily
+extends RefCounted
+## Stiff and extreme cases of one kind, and what their trials share.
+
+## The first sentence with which something was refused that a trial needs; "" as long as there is
+## none.
+var refusal := ""
+
+## Fresh cases of this kind.
+@abstract func cases() -> Array[StabilityCase]
+
+
+# Notes what a world answered where it must not refuse.
+func _need(problem: String) -> void:
+	if refusal == "":
+		refusal = problem
+
+
+func _case(title: String, criterion: String, trial: Callable) -> StabilityCase:
+	return StabilityCase.new(title, criterion, self, trial)
+
+
+# A world in which nothing has happened yet.
+func _world(segments: Array[LineSegment], balls: Array[Ball]) -> EventWorld:
+	var world := EventWorld.new()
+	_need(world.set_segments(segments))
+	_need(world.set_balls(balls))
+	return world
+
+
+func _segment(from_x: float, from_y: float, to_x: float, to_y: float) -> LineSegment:
+	return LineSegment.new(Vec2.new(from_x, from_y), Vec2.new(to_x, to_y))
+
+
+# A closed way round through these points.
+func _polygon(corners: Array[Vec2]) -> Array[LineSegment]:
+	var sides: Array[LineSegment] = []
+	for index in corners.size():
+		sides.append(LineSegment.new(corners[index], corners[(index + 1) % corners.size()]))
+	return sides
+
+
+func _rectangle(low: Vec2, high: Vec2) -> Array[LineSegment]:
+	return _polygon([low, Vec2.new(high.x, low.y), high, Vec2.new(low.x, high.y)])
+
+
+func _ball(x: float, y: float, velocity_x: float, velocity_y: float, radius: float) -> Ball:
+	return Ball.new(Vec2.new(x, y), radius, Vec2.new(velocity_x, velocity_y))
+
+
+# Passed if [param value] is a number and at most [param bound].
+func _at_most(value: float, bound: float, unit: String = "") -> StabilityResult:
+	var figure := NumberText.size(value) + (" " + unit if unit else "")
+	return StabilityResult.new(figure, value <= bound)
+
+
+# Passed if as many were counted as wanted.
+func _counted(count: int, wanted: int) -> StabilityResult:
+	return StabilityResult.new(str(count), count == wanted)

@@ -1,0 +1,84 @@
+class_name EventMover
+extends BallMover
+## The way past the lecture: each ball has an [EventWorld] of its own, because here balls do not
+## touch each other. Its next impact is worked out once, from exact formulas, and stays true for as
+## many frames as nothing changes.
+##
+## It remembers the balls that it moves: a world that is copied gets another mover, see
+## [method for_copy].
+
+## More impacts than this within one second, as between two lines that touch a ball on both sides,
+## and the ball stays where it is. Larger lets such a place take longer than a frame.
+const MOST_IMPACTS := 2000
+
+var _worlds: Dictionary[Ball, EventWorld] = {}
+# Which surroundings the worlds were made of, and how often those had changed then.
+var _surroundings: Surroundings
+var _changes := -1
+
+
+## An event world in which [param ball] alone flies among the lines of [param surroundings].
+static func world_of(ball: Ball, surroundings: Surroundings) -> EventWorld:
+	var world := EventWorld.new()
+	world.most_impacts_per_second = MOST_IMPACTS
+	world.keeps_events = true
+	world.set_gravity(surroundings.gravity)
+	world.set_bounciness(surroundings.bounciness)
+	world.set_segments(surroundings.segments)
+	world.set_balls([ball])
+	return world
+
+
+## What a lesson shows of an event; [param frame_start] and [param seconds] say which share of a
+## frame had passed.
+static func record_of(
+	event: WorldEvent, radius: float, frame_start: float, seconds: float
+) -> BounceRecord:
+	var record := BounceRecord.new()
+	record.position = event.point.plus(event.normal.scaled(radius))
+	record.normal = event.normal
+	record.velocity_before = event.velocity_before
+	record.velocity_after = event.velocity_after
+	record.time = (event.time - frame_start) / seconds
+	return record
+
+
+## A mover of its own: two worlds never share what is remembered of a ball.
+func for_copy() -> BallMover:
+	return EventMover.new()
+
+
+## See [method BallMover.move]. Coming to rest and sliding off an end are no bounces.
+func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
+	_forget_where_changed(surroundings)
+	if not _knows(ball):
+		_worlds[ball] = world_of(ball, surroundings)
+	var world := _worlds[ball]
+	var frame_start := world.time
+	world.advance(seconds)
+	ball.position = world.position(0)
+	ball.velocity = world.velocity(0)
+	var bounces: Array[BounceRecord] = []
+	for event in world.events:
+		if event.kind == WorldEvent.Kind.SEGMENT:
+			bounces.append(record_of(event, ball.radius, frame_start, seconds))
+	world.events.clear()
+	return bounces
+
+
+func _forget_where_changed(surroundings: Surroundings) -> void:
+	if surroundings != _surroundings or surroundings.changes != _changes:
+		_worlds.clear()
+		_surroundings = surroundings
+		_changes = surroundings.changes
+
+
+# A ball that somebody else has moved since the last frame is predicted anew.
+func _knows(ball: Ball) -> bool:
+	var world: EventWorld = _worlds.get(ball)
+	if not world:
+		return false
+	var velocity := world.velocity(0)
+	if velocity.x != ball.velocity.x or velocity.y != ball.velocity.y:
+		return false
+	return world.position_x(0) == ball.position.x and world.position_y(0) == ball.position.y

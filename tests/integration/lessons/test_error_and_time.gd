@@ -1,0 +1,203 @@
+extends ScreenTest
+## Drives the lesson on error and run time: measuring, stopping, choosing, pointing at points with
+## mouse, finger, keys and gamepad, undo and reset.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"error_and_time"))
+
+
+func test_it_measures_by_itself_and_tells_of_the_closest_point() -> void:
+	assert_gt(_run().done_count(), 0)
+	await _finish_measuring()
+	assert_reads("Done")
+	assert_reads("on the frontier")
+	assert_eq(_plot().chosen(), _frontier()[-1])
+
+
+func test_points_appear_one_by_one_while_the_window_stays_alive() -> void:
+	var counts: Array[int] = []
+	while _run().is_going:
+		if not _run().measurements().size() in counts:
+			counts.append(_run().measurements().size())
+		await get_tree().process_frame
+	assert_gt(counts.size(), 3, "%s points were seen" % [counts])
+
+
+func test_p_stops_where_it_is_and_goes_on() -> void:
+	await _measure_anew()
+	await student.press(&"lab_pause")
+	var runs := _run().done_count()
+	await student.settle()
+	assert_eq(_run().done_count(), runs)
+	assert_reads("Stopped after %d of" % runs)
+	await student.press(&"lab_pause")
+	assert_gt(_run().done_count(), runs)
+
+
+func test_the_button_stops_and_measures_anew() -> void:
+	await _measure_anew()
+	await click_button("Stop")
+	assert_false(_run().is_going)
+	await click_button("Measure")
+	await _finish_measuring()
+	await click_button("Measure")
+	assert_lt(_run().share(), 1.0)
+
+
+func test_the_mouse_on_a_point_tells_method_error_and_run_time() -> void:
+	await _finish_measuring()
+	for place in _run().measurements().size():
+		student.move_to(_pixel(place))
+		await student.settle()
+		var measured := _run().measurements()[place]
+		assert_reads(ErrorAndTimeTexts.run_time(measured.run_time_us))
+		assert_reads(measured.method)
+		assert_eq(_plot().chosen(), place)
+
+
+func test_a_finger_points_too_and_a_touch_beside_all_points_takes_it_back() -> void:
+	await _finish_measuring()
+	await student.touch(_pixel(0))
+	assert_eq(_plot().chosen(), 0)
+	await student.touch(_plot().get_global_rect().position + Vector2(4.0, 4.0))
+	assert_eq(_plot().chosen(), -1)
+	assert_does_not_read("on the frontier")
+
+
+func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
+	await _finish_measuring()
+	_plot().grab_focus()
+	for i: int in 20:
+		await student.press(&"ui_left")
+	var times: PackedFloat64Array = [_pointed().run_time_us]
+	for i: int in 2:
+		await student.press_pad(JOY_BUTTON_DPAD_RIGHT)
+		times.append(_pointed().run_time_us)
+	var sorted := times.duplicate()
+	sorted.sort()
+	assert_eq(times, sorted)
+	assert_lt(times[0], times[2])
+
+
+func test_the_tab_key_reaches_the_plot() -> void:
+	(Screen.button(screen(), "Reset the lesson")).grab_focus()
+	await student.press_key(KEY_TAB)
+	assert_true(_plot().has_focus())
+
+
+func test_another_situation_is_measured_at_once_and_undo_comes_back_to_what_was_found() -> void:
+	await _finish_measuring()
+	await _pick("The situation", 1)
+	assert_eq(_model().situation_place, 1)
+	await _finish_measuring()
+	await student.press(&"lab_undo")
+	assert_eq(_model().situation_place, 0)
+	assert_true(_run().is_done())
+
+
+func test_reset_begins_anew() -> void:
+	await _finish_measuring()
+	await student.press(&"lab_reset")
+	assert_eq(_run().done_count(), 0)
+
+
+func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() -> void:
+	await click_button("Stability")
+	assert_false(_plot().is_visible_in_tree())
+	assert_true(_table().is_visible_in_tree())
+	while _model().stability.is_going:
+		await get_tree().process_frame
+	await student.settle()
+	var run := _model().stability
+	assert_gt(run.size(), 20)
+	assert_reads("%d of %d tried hold" % [run.passed_count(), run.size()])
+	for place in run.size():
+		var holds := _table().row(place).outcome() == StabilityMark.Outcome.PASSED
+		assert_eq(holds, run.results[place].passed, run.cases[place].title)
+		assert_reads(run.results[place].figure)
+
+
+func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
+	await click_button("Stability")
+	await click_button("Stop")
+	var done := _model().stability.done_count()
+	await student.settle()
+	assert_eq(_model().stability.done_count(), done)
+	assert_eq(_table().row(done).outcome(), StabilityMark.Outcome.WAITING)
+	await student.press(&"lab_undo")
+	assert_true(_plot().is_visible_in_tree())
+
+
+func test_the_table_fits_at_every_size() -> void:
+	await click_button("Stability")
+	for size: Vector2i in [
+		Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
+	]:
+		await resize(size)
+		assert_eq(", ".join(Layout.problems(screen())), "", str(size))
+
+
+func test_a_problem_chosen_from_the_table_leads_back_to_the_plot() -> void:
+	await click_button("Stability")
+	await _pick("What is measured", 0)
+	assert_true(_plot().is_visible_in_tree())
+	assert_eq(_model().problem().id, "scalar_projection")
+
+
+func test_a_question_names_the_mistake() -> void:
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
+	await student.settle()
+	await student.enter(Screen.named(screen(), "p =") as LineEdit, "-2")
+	assert_true(Screen.reads(screen(), "positive order") or Screen.reads(screen(), "is not it yet"))
+
+
+func _model() -> ErrorAndTimeModel:
+	return frame().lesson.get(&"_model")
+
+
+func _run() -> MeasuringRun:
+	return _model().run()
+
+
+func _plot() -> LogPlot:
+	return frame().lesson.get_node("%Plot") as LogPlot
+
+
+func _table() -> StabilityTable:
+	return frame().lesson.get_node("%Table") as StabilityTable
+
+
+func _pointed() -> Measurement:
+	return _run().measurements()[_plot().chosen()]
+
+
+func _frontier() -> PackedInt32Array:
+	return ErrorAndTimeModel.frontier(_run().measurements())
+
+
+func _pixel(place: int) -> Vector2:
+	return _plot().get_global_transform() * _plot().pixel_of(place)
+
+
+func _measure_anew() -> void:
+	await _finish_measuring()
+	await click_button("Measure")
+
+
+func _finish_measuring() -> void:
+	while _run().is_going:
+		await get_tree().process_frame
+	await student.settle()
+
+
+# Picks an entry of a list by the keyboard.
+func _pick(title: String, place: int) -> void:
+	var list := Screen.named(screen(), title) as OptionButton
+	list.grab_focus()
+	await student.press(&"ui_accept")
+	for i: int in list.item_count + 1:
+		if list.get_popup().get_focused_item() != place:
+			await student.press(&"ui_down")
+	await student.press(&"ui_accept")

@@ -1,0 +1,9 @@
+extends LabTest
+## Every line of the stability table, tried as `./lab stability` does; those that say that they are
+## long, in their quick form.
+
+
+func test_case(case: StabilityCase = use_parameters(StabilityCases.all())) -> void:
+	var result := case.run(case.is_long)
+	var name_of_case := case.title + (": " + case.quick_form if case.is_long else "")
+	assert_true(result.passed, "%s: %s; got %s" % [name_of_case, case.criterion, result.figure])
