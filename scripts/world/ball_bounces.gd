@@ -16,6 +16,10 @@ func _bounce(index: int) -> void:
 	impacts += 1
 	_restart(index)
 	var surface := _touched[index]
+	if not keeps_events and _bounciness == 1.0 and surface >= 0 and _is_weightless():
+		if _touched_feature[index] == Impact.Feature.LINE:
+			_bounce_off_line(index, surface)
+			return
 	var event := _begin_event(index)
 	_find_contact(index, surface)
 	var approach := -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
@@ -23,6 +27,30 @@ func _bounce(index: int) -> void:
 		# It comes back as fast as it left: no digit is lost from bounce to bounce.
 		approach = _left_speed[index]
 	_leave(index, surface, maxf(approach, 0.0), event)
+
+
+# The short way for an elastic bounce off a line in straight flight: what [method _leave] does, with
+# all calls written out.
+func _bounce_off_line(index: int, place: int) -> void:
+	var normal_x := _segments.normal_x(place)
+	var normal_y := _segments.normal_y(place)
+	var x := _velocity_x[index]
+	var y := _velocity_y[index]
+	if is_nan(_lasting_speed[index]):
+		_lasting_speed[index] = x * x + y * y
+	var squared := _lasting_speed[index]
+	# Towards the line; from which side does not matter to the law of reflection.
+	var change := -2.0 * (x * normal_x + y * normal_y)
+	x += change * normal_x
+	y += change * normal_y
+	var now := x * x + y * y
+	if now > 0.0:
+		var factor := 1.0 + 0.5 * (squared - now) / now
+		x *= factor
+		y *= factor
+	_velocity_x[index] = x
+	_velocity_y[index] = y
+	_left_surface[index] = place
 
 
 # The short way for the commonest event, a ball in straight flight and a wall: what [method _bounce]

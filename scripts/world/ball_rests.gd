@@ -22,8 +22,6 @@ var keeps_events := false
 var events: Array[WorldEvent] = []
 
 var _bounciness := 1.0
-var _gravity_x := 0.0
-var _gravity_y := 0.0
 
 
 func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> void:

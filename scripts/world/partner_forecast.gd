@@ -52,10 +52,11 @@ func flight_end(index: int) -> float:
 # Works out all that is next for a ball whose flight begins now.
 func _forecast(index: int) -> void:
 	_forecast_touch(index)
-	if _uses_cells:
+	if _balls_there > 1:
 		_ask(index)
-		_forecast_crossing(index)
-	_forecast_event(index)
+		if _uses_cells:
+			_forecast_crossing(index)
+	_choose_event(index)
 
 
 # When the ball that was asked about last comes into another cell.
@@ -92,11 +93,18 @@ func _cross(index: int) -> void:
 		_queue.change(index, _event_time[index], _event_low[index])
 
 
-# Chooses the ball's next event, and takes its partner away from others where it is another ball.
+# Looks for a partner once more, while the flight goes on.
 func _forecast_event(index: int) -> void:
-	_release_partner(index)
+	_ask(index)
+	_choose_event(index)
+
+
+# Chooses the next event of the ball that was asked about last, and takes its partner away from
+# others where it is another ball.
+func _choose_event(index: int) -> void:
+	if _event_kind[index] == MEET:
+		_release_partner(index)
 	if _balls_there > 1:
-		_ask(index)
 		_partner_seconds = (_touch_time[index] - time) + (_touch_low[index] - _time_low)
 		_try_all_partners(index)
 		if _partner >= 0:
@@ -157,29 +165,27 @@ func _try_all_partners(index: int) -> void:
 			_try_partner(other)
 
 
-# What [method _try_partner] does, for all balls of these cells, and written out for those that are
-# pulled as the asker is: most of the time of a world of many balls is spent here. A test compares
-# both ways to the last bit.
+# All balls of these cells. Where nothing pulls, what [method _try_partner] does is written out: a
+# world of many balls spends most of its time here. A test compares both ways to the last bit.
 func _try_cells(around: int, cells: PackedInt32Array) -> void:
 	var first := _cells.first
 	var next := _cells.next
 	var neighbors := _cells.neighbors
+	var is_pulled := _gravity_x != 0.0 or _gravity_y != 0.0
 	for place in cells:
 		var other := first[neighbors[around + place]]
 		while other >= 0:
-			if _pull_x[other] != _asker_pull_x or _pull_y[other] != _asker_pull_y:
+			if is_pulled:
 				_try_partner(other)
 				other = next[other]
 				continue
 			var flown := (time - _start[other]) + (_time_low - _start_low[other])
-			var pulled_x := _asker_pull_x * flown
-			var pulled_y := _asker_pull_y * flown
 			var velocity_x := _velocity_x[other]
 			var velocity_y := _velocity_y[other]
-			var dx := _asker_x - _x[other] - (velocity_x + 0.5 * pulled_x) * flown
-			var dy := _asker_y - _y[other] - (velocity_y + 0.5 * pulled_y) * flown
-			velocity_x = _asker_velocity_x - (velocity_x + pulled_x)
-			velocity_y = _asker_velocity_y - (velocity_y + pulled_y)
+			var dx := _asker_x - _x[other] - velocity_x * flown
+			var dy := _asker_y - _y[other] - velocity_y * flown
+			velocity_x = _asker_velocity_x - velocity_x
+			velocity_y = _asker_velocity_y - velocity_y
 			var approach := -(dx * velocity_x + dy * velocity_y)
 			if approach > 0.0:
 				var reach := _asker_radius + _radius[other]

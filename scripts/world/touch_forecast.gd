@@ -10,6 +10,8 @@ enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 ## end of what supports it, or has followed a piece of a round cap.
 enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
 
+var _gravity_x := 0.0
+var _gravity_y := 0.0
 var _has_walls := false
 var _left_x := 0.0
 var _top_y := 0.0
