@@ -9,7 +9,7 @@ func should_skip_script() -> bool:
 func test_without_a_command_it_lists_the_commands() -> void:
 	var lab := LabCommand.run("res://", [])
 	assert_eq(lab.exit_code, 0)
-	for command: String in ["run", "test", "lint", "bench", "pictures", "setup", "help"]:
+	for command: String in ["run", "test", "lint", "report", "bench", "pictures", "setup", "help"]:
 		assert_string_contains(lab.output, "\n  %s " % command)
 
 
