@@ -15,7 +15,7 @@ static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
 		)
 	)
 	if measurement.note:
-		found.append(measurement.note)
+		found.append(MeasuredWords.of(measurement.note))
 	if is_best:
 		found.append(_translate("on the frontier"))
 	return found
