@@ -1,33 +1,16 @@
 #!/usr/bin/env bash
 # Draws lessons into build/pictures/, wide and tall, a line each; fails when a picture is blank or Godot printed an
 # error or a warning. Usage: tools/draw.sh GODOT NAME...   (NAME: a lesson's id, or start_screen)
-# shellcheck disable=SC2329 # close_screen is called by the trap
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "$0")/common.sh"
+# shellcheck source-path=SCRIPTDIR source=screen.sh
+. "$(dirname "$0")/screen.sh"
 
 [ $# -ge 2 ] || die 2 "usage: tools/draw.sh GODOT NAME..."
 godot=$1
 shift
 pictures=$LAB_BUILD/pictures
-screen=
-
-# Xvfb takes a free display by itself and says which one.
-open_screen() {
-	local number
-	need Xvfb xvfb libgl1 libgl1-mesa-dri || exit 2
-	rm -f "$pictures/display"
-	mkfifo "$pictures/display"
-	Xvfb -displayfd 3 -screen 0 1280x1280x24 +extension GLX -nolisten tcp 3>"$pictures/display" >"$pictures/xvfb.log" 2>&1 &
-	screen=$!
-	read -r -t 30 number <"$pictures/display" || die 1 "Xvfb does not start: $(cat "$pictures/xvfb.log")"
-	export DISPLAY=:$number
-}
-
-close_screen() {
-	[ -z "$screen" ] || kill "$screen" 2>/dev/null || true
-	rm -f "$pictures/display"
-}
 
 # draw NAME FILE SIZE
 draw() {

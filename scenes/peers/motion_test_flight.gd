@@ -21,7 +21,7 @@ func _init(host: Node, is_one_shape: bool, of_shot: Shot, at_rate: int) -> void:
 
 func _prepare() -> void:
 	_space = PeerSpace.new(_host)
-	_space.add_walls(shot.segments, _is_one_shape)
+	_space.add_walls(shot.segments(), _is_one_shape)
 	_body = CharacterBody2D.new()
 	_space.add_ball(_body, shot.ball)
 	_velocity = shot.ball.velocity.to_vector2()

@@ -29,7 +29,7 @@ func _prepare() -> void:
 	_frames = PhysicsFrames.new(_host.get_tree())
 	await _frames.begin(rate)
 	_space = PeerSpace.new(_host)
-	_space.add_walls(shot.segments, false)
+	_space.add_walls(shot.segments(), false)
 	_body = _space.add_rigid_ball(shot.ball, _mode).get_rid()
 
 

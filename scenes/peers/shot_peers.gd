@@ -12,8 +12,8 @@ static func in_box(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 			if rate <= 960:
 				found.append_array(moved(host, shot, rate))
 		if not (is_long and is_quick):
-			for rate: int in [60, 240] if is_long or is_quick else [60, 240, 960]:
-				found.append_array(rigid(host, shot, rate, is_quick))
+			for rate in _rigid_rates(is_long, is_quick):
+				found.append_array(rigid(host, shot, rate, is_long or is_quick))
 	return found
 
 
@@ -46,11 +46,18 @@ static func moved(host: Node, shot: Shot, rate: int) -> Array[MeasuredCase]:
 	return found
 
 
-## By RigidBody2D, without continuous detection and with; the quick form leaves out the one that
+# Its frames are slow, so there are few for the long flight.
+static func _rigid_rates(is_long: bool, is_quick: bool) -> PackedInt32Array:
+	if is_long:
+		return [60]
+	return [60, 240] if is_quick else [60, 240, 960]
+
+
+## By RigidBody2D, without continuous detection and with; [param are_few] leaves out the one that
 ## casts the shape, which differs little from none.
-static func rigid(host: Node, shot: Shot, rate: int, is_quick: bool) -> Array[MeasuredCase]:
+static func rigid(host: Node, shot: Shot, rate: int, are_few: bool) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for mode in RigidFlight.MODES:
-		if not is_quick or mode != RigidBody2D.CCD_MODE_CAST_SHAPE:
+		if not are_few or mode != RigidBody2D.CCD_MODE_CAST_SHAPE:
 			found.append(RigidFlight.new(host, mode, shot, rate))
 	return found

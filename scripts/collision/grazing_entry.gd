@@ -6,8 +6,8 @@ extends RefCounted
 ##
 ## Slow, and needed only in one flight of many millions.
 
-## [ExactParabola] tells a height from 0 only when it is above this, times the terms it is made of; a
-## path that grazes to so many digits stays on its side.
+## [ExactParabola] tells a height from 0 only when it is above this, times the terms it is made of;
+## a path that grazes to so many digits stays on its side.
 const _EXACT_NOISE := 1.0 / 2.0 ** 98
 
 

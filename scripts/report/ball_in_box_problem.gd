@@ -10,6 +10,8 @@ const SHORT := 10.0
 const LONG := 100.0
 ## The method that is to be the best one.
 const EVENT_WORLD := "event world"
+## The same with a loop that follows the flights by itself.
+const FOLLOWED := "event world, flights followed"
 
 
 func _init() -> void:
@@ -28,6 +30,7 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 	for shot in shots():
 		for rate in rates(shot, is_quick):
 			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
+			found.append(FollowedFlight.new(EventFlight.Form.WALLS, FOLLOWED, shot, rate))
 			found.append(
 				EventFlight.new(EventFlight.Form.GRID, "event world, walls as segments", shot, rate)
 			)

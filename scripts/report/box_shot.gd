@@ -10,9 +10,13 @@ func _init(speed: float, for_seconds: float) -> void:
 	problem = "ball_in_box"
 	situation = situation_of(speed, for_seconds)
 	ball = BallInBox.ball(speed)
-	segments = BallInBox.walls()
 	seconds = for_seconds
 	_speed = speed
+
+
+## See [method Shot.segments].
+func segments() -> Array[LineSegment]:
+	return BallInBox.walls()
 
 
 ## How the situation is named in tables.

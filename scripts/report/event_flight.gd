@@ -23,7 +23,7 @@ func _prepare() -> void:
 		var low := Vec2.new(BallInBox.LEFT, BallInBox.TOP)
 		_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM))
 	else:
-		_world.set_segments(shot.segments)
+		_world.set_segments(shot.segments())
 	_world.set_balls([shot.ball])
 
 

@@ -56,11 +56,16 @@ func _init() -> void:
 	situation = "%d px/s" % _SPEED
 	var velocity := Vec2.unit_radians(_DIRECTION).scaled(_SPEED)
 	ball = Ball.new(Vec2.new(-170.0, -20.0), 10.0, velocity)
-	segments = BallInBox.walls()
+	path_seconds = 20.0
+
+
+## See [method Shot.segments].
+func segments() -> Array[LineSegment]:
+	var found := BallInBox.walls()
 	for i in range(0, _LINES.size(), 4):
 		var start := Vec2.new(_LINES[i], _LINES[i + 1])
-		segments.append(LineSegment.new(start, Vec2.new(_LINES[i + 2], _LINES[i + 3])))
-	path_seconds = 20.0
+		found.append(LineSegment.new(start, Vec2.new(_LINES[i + 2], _LINES[i + 3])))
+	return found
 
 
 ## See [method Shot.judge]: the error is 1 over the number of bounces.
@@ -84,7 +89,7 @@ func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 func exact_path() -> ExactPath:
 	if _exact == null:
 		_exact = ExactPath.new()
-		_exact.start(ball, segments)
+		_exact.start(ball, segments())
 		_exact.advance_to(path_seconds)
 	return _exact
 

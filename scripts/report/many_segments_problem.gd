@@ -33,6 +33,8 @@ func cases(_is_quick: bool) -> Array[MeasuredCase]:
 	for count in COUNTS:
 		var shot := ManySegmentsShot.new(count)
 		found.append(EventFlight.new(EventFlight.Form.GRID, GRID, shot, 60))
+		var followed := BallInBoxProblem.FOLLOWED
+		found.append(FollowedFlight.new(EventFlight.Form.GRID, followed, shot, 60))
 		found.append(EventFlight.new(EventFlight.Form.SCAN, SCAN, shot, 60))
 	return found
 

@@ -12,8 +12,8 @@ const _PLAY := 12.0
 const _RADIUS := 6.0
 const _SPEED := 300.0
 
-# Those that can be reached while the path is looked at.
-var _near: Array[LineSegment] = []
+var _count: int
+var _segments: Array[LineSegment] = []
 
 
 ## A box with so many segments, its four walls included: 4, or 4 times a power of 4.
@@ -22,22 +22,15 @@ func _init(count: int) -> void:
 	situation = situation_of(count)
 	goes_on = true
 	path_seconds = 2.0
-	var squares := roundi(sqrt(count))
-	var half := squares * _SQUARE / 2.0
 	ball = Ball.new(Vec2.new(), _RADIUS, Vec2.unit_radians(0.7).scaled(_SPEED))
-	_add_walls(half)
-	var rng := RandomNumberGenerator.new()
-	rng.seed = 4
-	for square in count:
-		# The walls take the places of four corners.
-		if segments.size() < count and not _is_corner(square, squares):
-			var middle := Vec2.new(_SQUARE * (square % squares + 0.5) - half, 0.0)
-			middle.y = _SQUARE * (floorf(float(square) / squares) + 0.5) - half
-			segments.append(_segment(rng, middle))
-	for segment in segments:
-		var reach := _SPEED * path_seconds + _RADIUS
-		if segment.closest_point(ball.position).distance_to(ball.position) <= reach:
-			_near.append(segment)
+	_count = count
+
+
+## See [method Shot.segments].
+func segments() -> Array[LineSegment]:
+	if _segments.is_empty():
+		_make_segments(roundi(sqrt(_count)))
+	return _segments
 
 
 ## How the situation is named in tables.
@@ -48,11 +41,33 @@ static func situation_of(count: int) -> String:
 ## See [method Shot.judge]: the error is how far the ball is off the exact path at the end of it.
 func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 	var exact := ExactPath.new()
-	exact.start(ball, _near)
+	exact.start(ball, _near())
 	exact.advance_to(path_seconds)
 	case.error = exact.position().distance_to(Vec2.new(path[-2], path[-1]))
 	case.figures["bounces"] = exact.bounces()
 	case.note = "after %d bounces" % exact.bounces()
+
+
+# Those that can be reached while the path is looked at.
+func _near() -> Array[LineSegment]:
+	var reach := _SPEED * path_seconds + _RADIUS
+	return segments().filter(
+		func(segment: LineSegment) -> bool:
+			return segment.closest_point(ball.position).distance_to(ball.position) <= reach
+	)
+
+
+func _make_segments(squares: int) -> void:
+	var half := squares * _SQUARE / 2.0
+	_add_walls(half)
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 4
+	for square in _count:
+		# The walls take the places of four corners.
+		if not _is_corner(square, squares):
+			var middle := Vec2.new(_SQUARE * (square % squares + 0.5) - half, 0.0)
+			middle.y = _SQUARE * (floorf(float(square) / squares) + 0.5) - half
+			_segments.append(_segment(rng, middle))
 
 
 func _add_walls(half: float) -> void:
@@ -60,7 +75,7 @@ func _add_walls(half: float) -> void:
 		Vec2.new(-half, -half), Vec2.new(half, -half), Vec2.new(half, half), Vec2.new(-half, half)
 	]
 	for i in corners.size():
-		segments.append(LineSegment.new(corners[i], corners[(i + 1) % corners.size()]))
+		_segments.append(LineSegment.new(corners[i], corners[(i + 1) % corners.size()]))
 
 
 func _segment(rng: RandomNumberGenerator, middle: Vec2) -> LineSegment:

@@ -17,6 +17,9 @@ static func of(
 		),
 		_goals(measurements),
 	]
+	var libraries := LibraryText.of(problems, measurements)
+	if libraries:
+		parts.append(libraries)
 	for problem in problems:
 		var rows := of_problem(problem.id, measurements)
 		if not rows.is_empty():

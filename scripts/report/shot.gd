@@ -9,14 +9,15 @@ var problem := ""
 var situation := ""
 ## The ball at its start; to be copied.
 var ball: Ball
-## What it bounces off.
-var segments: Array[LineSegment] = []
 ## How long a measured flight is.
 var seconds := 10.0
 ## Whether each run goes on where the last one has ended, because setting up takes long.
 var goes_on := false
 ## For so many seconds [method judge] wants to see the path, frame by frame; 0 if the end is enough.
 var path_seconds := 0.0
+
+## What it bounces off; made when it is first asked for.
+@abstract func segments() -> Array[LineSegment]
 
 ## Sets error, note and figures of [param case] by where the ball is at the end, in pixels, and by
 ## [param path]: x, y after each 60th of a second.

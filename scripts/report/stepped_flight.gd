@@ -20,6 +20,8 @@ func _init(way: SteppedWorld.Method, of_shot: Shot, at_rate: int) -> void:
 	super(of_shot, at_rate)
 	_way = way
 	method = METHODS[way]
+	error = Measurement.NO_ANSWER
+	note = "not flown to the end yet"
 
 
 ## A run is a fifth of the flight, because stepping is slow: five of them make one flight. The world
@@ -30,13 +32,14 @@ func run_once() -> void:
 	_fly(floori(float(steps) / _PARTS))
 	keep_run(_spent * _PARTS / seconds)
 	if runs() == _PARTS:
+		note = ""
 		_find_error()
 
 
 func _prepare() -> void:
 	_world = SteppedWorld.new()
 	_world.mover = SteppedWorld.mover_of(_way)
-	_world.surroundings.set_segments(shot.segments)
+	_world.surroundings.set_segments(shot.segments())
 	_world.set_balls([shot.ball])
 
 

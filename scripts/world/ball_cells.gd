@@ -20,14 +20,23 @@ var next: PackedInt32Array = []
 var neighbors: PackedInt32Array = []
 ## The cell of each ball.
 var cell: PackedInt32Array = []
+## Which border each ball crosses next: -1 or 1 for a column, -2 or 2 for a row.
+var border: PackedInt32Array = []
+## Of the nine cells around a ball, the three that were not around it before it crossed a border, as
+## places in [member neighbors]: for each of the borders from -2 to 2.
+var new_neighbors: Array[PackedInt32Array] = [
+	PackedInt32Array([0, 1, 2]),
+	PackedInt32Array([0, 3, 6]),
+	PackedInt32Array(),
+	PackedInt32Array([2, 5, 8]),
+	PackedInt32Array([6, 7, 8]),
+]
 
 var _columns := 0
 var _previous: PackedInt32Array = []
 # Column and row of each ball in the plane, of any size and sign.
 var _column: PackedInt64Array = []
 var _row: PackedInt64Array = []
-# Which border each ball crosses next: -1 or 1 for a column, -2 or 2 for a row.
-var _border: PackedInt32Array = []
 
 
 ## Makes an empty table for so many balls, with cells of [param new_size] pixels.
@@ -46,7 +55,7 @@ func lay_out(new_size: float, balls: int) -> void:
 ## Makes room for so many balls; new ones are in no cell.
 func make_room(balls: int) -> void:
 	var old := cell.size()
-	for numbers: PackedInt32Array in [next, _previous, cell, _border]:
+	for numbers: PackedInt32Array in [next, _previous, cell, border]:
 		numbers.resize(balls)
 	_column.resize(balls)
 	_row.resize(balls)
@@ -84,29 +93,61 @@ func time_to_leave(
 	pull_x: float,
 	pull_y: float
 ) -> float:
-	var column := _time_to_border(_column[ball], x, velocity_x, pull_x)
-	var row := _time_to_border(_row[ball], y, velocity_y, pull_y)
+	var column := INF
+	var row := INF
+	if pull_x == 0.0 and pull_y == 0.0:
+		# What _time_to_border does, written out for the commonest case.
+		if velocity_x > 0.0:
+			column = maxf(((_column[ball] + 1) * size - x) / velocity_x, 0.0)
+		elif velocity_x < 0.0:
+			column = maxf((_column[ball] * size - x) / velocity_x, 0.0)
+		if velocity_y > 0.0:
+			row = maxf(((_row[ball] + 1) * size - y) / velocity_y, 0.0)
+		elif velocity_y < 0.0:
+			row = maxf((_row[ball] * size - y) / velocity_y, 0.0)
+	else:
+		column = _time_to_border(_column[ball], x, velocity_x, pull_x)
+		row = _time_to_border(_row[ball], y, velocity_y, pull_y)
 	if column <= row:
-		_border[ball] = 1 if velocity_x + pull_x * column > 0.0 else -1
+		border[ball] = 1 if velocity_x + pull_x * column > 0.0 else -1
 		return column
-	_border[ball] = 2 if velocity_y + pull_y * row > 0.0 else -2
+	border[ball] = 2 if velocity_y + pull_y * row > 0.0 else -2
 	return row
 
 
-## Moves a ball over the border that [method time_to_leave] has noted.
+## Moves a ball over the border that [method time_to_leave] has noted: out of one list and into
+## another, written out because it happens more often than anything else.
 func cross(ball: int) -> void:
-	remove(ball)
-	var border := _border[ball]
-	if border == 1 or border == -1:
-		_column[ball] += border
+	var old := cell[ball]
+	var before := _previous[ball]
+	var after := next[ball]
+	if before >= 0:
+		next[before] = after
 	else:
-		_row[ball] += border >> 1
-	_enter(ball)
+		first[old] = after
+	if after >= 0:
+		_previous[after] = before
+	var over := border[ball]
+	var place := old
+	if over == 1 or over == -1:
+		_column[ball] += over
+		place = neighbors[9 * old + 4 + over]
+	else:
+		over >>= 1
+		_row[ball] += over
+		place = neighbors[9 * old + 4 + 3 * over]
+	var pushed := first[place]
+	cell[ball] = place
+	_previous[ball] = -1
+	next[ball] = pushed
+	first[place] = ball
+	if pushed >= 0:
+		_previous[pushed] = ball
 
 
 ## All arrays that change while balls move, to be kept and put back.
 func arrays() -> Array:
-	return [first, next, cell, _previous, _column, _row, _border]
+	return [first, next, cell, _previous, _column, _row, border]
 
 
 func _enter(ball: int) -> void:

@@ -53,14 +53,19 @@ func change(index: int, time: float, low: float = 0.0) -> void:
 	while place > 0:
 		var left := _winners[2 * place]
 		var right := _winners[2 * place + 1]
-		var winner := left if times[left] < times[right] else right
-		if times[left] == times[right] and lows[left] <= lows[right]:
-			winner = left
+		var left_time := times[left]
+		var right_time := times[right]
+		var winner := left if left_time < right_time else right
+		if left_time == right_time:
+			if lows[left] <= lows[right]:
+				winner = left
 		if winner == _winners[place] and winner != index:
 			break
 		_winners[place] = winner
 		place >>= 1
-	_note_first()
+	first = _winners[1]
+	first_time = times[first]
+	first_low = lows[first]
 
 
 func _note_first() -> void:

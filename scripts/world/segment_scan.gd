@@ -1,11 +1,18 @@
 class_name SegmentScan
-extends RefCounted
-## Segments in packed arrays, and the first of them that a flying ball meets, found by looking at
-## all. [SegmentGrid] finds the same impact by looking at those near the path.
+extends SegmentList
+## The first of many segments that a flying ball meets, found by looking at all. [SegmentGrid] finds
+## the same impact by looking at those near the path.
 ##
 ## The answer is what [StraightImpact] and [AcceleratedImpact] say of each segment; most are put
 ## aside before by a few plain operations, which stand here once more because every prediction of
 ## an [EventWorld] runs through them.
+
+## A ball that is no farther than this from touching a line or an end, in pixels, touches it: so far
+## rounding may take it.
+const TOUCH := 1e-9
+
+# The same where coordinates are large: in units of them.
+const _ROUNDING := 8.0 / 2.0 ** 52
 
 ## Seconds until the impact that was found.
 var time := INF
@@ -13,14 +20,6 @@ var time := INF
 var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
-
-var _start_x: PackedFloat64Array = []
-var _start_y: PackedFloat64Array = []
-var _end_x: PackedFloat64Array = []
-var _end_y: PackedFloat64Array = []
-var _length: PackedFloat64Array = []
-# 1 where there is a segment: a removed one leaves its place empty.
-var _is_there: PackedByteArray = []
 
 # The flight that is asked about: seconds, pixels.
 var _x := 0.0
@@ -31,49 +30,9 @@ var _pull_x := 0.0
 var _pull_y := 0.0
 var _radius := 0.0
 var _skipped := -1
+var _slack := TOUCH
 var _straight := StraightImpact.new()
 var _accelerated := AcceleratedImpact.new()
-
-
-## How many places there are, with those of removed segments.
-func size() -> int:
-	return _length.size()
-
-
-## Whether there is a segment at that place.
-func has_segment(place: int) -> bool:
-	return place >= 0 and place < size() and _is_there[place] == 1
-
-
-## The segment at that place.
-func segment(place: int) -> LineSegment:
-	return LineSegment.new(
-		Vec2.new(_start_x[place], _start_y[place]), Vec2.new(_end_x[place], _end_y[place])
-	)
-
-
-## The length in pixels of the segment at that place.
-func length(place: int) -> float:
-	return _length[place]
-
-
-## Puts a segment at a place; at the end where the place is [method size].
-func put(place: int, new_segment: LineSegment) -> void:
-	if place == size():
-		for numbers: PackedFloat64Array in [_start_x, _start_y, _end_x, _end_y, _length]:
-			numbers.append(0.0)
-		_is_there.append(0)
-	_start_x[place] = new_segment.start.x
-	_start_y[place] = new_segment.start.y
-	_end_x[place] = new_segment.end.x
-	_end_y[place] = new_segment.end.y
-	_length[place] = new_segment.length()
-	_is_there[place] = 1
-
-
-## Leaves the place empty.
-func remove(place: int) -> void:
-	_is_there[place] = 0
 
 
 ## Whether a ball in straight flight meets a segment within [param horizon] seconds; the segment at
@@ -135,6 +94,7 @@ func _ask_accelerated(pull_x: float, pull_y: float) -> void:
 	_pull_x = pull_x
 	_pull_y = pull_y
 	_accelerated.set_flight(_x, _y, _velocity_x, _velocity_y, pull_x, pull_y, _radius)
+	_slack = TOUCH + _ROUNDING * (absf(_x) + absf(_y))
 
 
 # Takes the segment at that place if it is met before all that were tried.
@@ -154,15 +114,10 @@ func _try(place: int) -> void:
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
-	if not _straight.with_segment(
+	if _straight.with_segment(
 		_x, _y, _velocity_x, _velocity_y, _radius, start_x, start_y, _end_x[place], _end_y[place]
 	):
-		return
-	# Of two that are met at once the one with the smaller place counts, however they are found.
-	if _straight.time < time or (_straight.time == time and place < index):
-		time = _straight.time
-		index = place
-		feature = _straight.feature
+		_take(place, _straight.time, _straight.feature)
 
 
 func _try_accelerated(place: int) -> void:
@@ -183,56 +138,48 @@ func _try_accelerated(place: int) -> void:
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
-	if not _accelerated.with_segment(start_x, start_y, _end_x[place], _end_y[place], time):
-		return
-	if _accelerated.time < time or (_accelerated.time == time and place < index):
-		time = _accelerated.time
+	if gap <= _slack * _length[place]:
+		if _lies_on(place, gap, approach, pull):
+			return
+	if _accelerated.with_segment(start_x, start_y, _end_x[place], _end_y[place], time):
+		_take(place, _accelerated.time, _accelerated.feature)
+
+
+# Of two that are met at once the one with the smaller place counts, however they are found.
+func _take(place: int, seconds: float, of: Impact.Feature) -> void:
+	if seconds < time or (seconds == time and place < index):
+		time = seconds
 		index = place
-		feature = _accelerated.feature
+		feature = of
 
 
-## x of an end of the segment at that place: its start or its end.
-func end_x(place: int, of: Impact.Feature) -> float:
-	return _end_x[place] if of == Impact.Feature.END else _start_x[place]
+# A ball that touches a segment and neither approaches nor leaves it, but is pulled into it, meets
+# it at once, or when it has fallen back to where it is: it never was clear of it, and must not sink
+# in. Distance, approach and pull are times the length of the segment.
+func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
+	var share := share_of(place, _x, _y)
+	if share >= 0.0 and share <= 1.0:
+		var slack := _slack * _length[place]
+		if gap < -slack or not _is_held(approach, pull, slack):
+			return false
+		_take(place, 2.0 * maxf(-approach, 0.0) / pull, Impact.Feature.LINE)
+		return true
+	var of := Impact.Feature.START if share < 0.0 else Impact.Feature.END
+	var dx := _x - end_x(place, of)
+	var dy := _y - end_y(place, of)
+	var distance := sqrt(dx * dx + dy * dy)
+	if absf(distance - _radius) > _slack:
+		return false
+	var speed := -(_velocity_x * dx + _velocity_y * dy) / distance
+	# Round a point the ball is pulled outwards, too, the more the faster it is.
+	var around := (_velocity_x * dy - _velocity_y * dx) / distance
+	var inwards := -(_pull_x * dx + _pull_y * dy) / distance - around * around / distance
+	if not _is_held(speed, inwards, _slack):
+		return false
+	_take(place, 2.0 * maxf(-speed, 0.0) / inwards, of)
+	return true
 
 
-## y of an end of the segment at that place.
-func end_y(place: int, of: Impact.Feature) -> float:
-	return _end_y[place] if of == Impact.Feature.END else _start_y[place]
-
-
-## Where the perpendicular from a point meets the segment at that place: 0 at its start, 1 at its
-## end.
-func share_of(place: int, x: float, y: float) -> float:
-	var along_x := _end_x[place] - _start_x[place]
-	var along_y := _end_y[place] - _start_y[place]
-	var to_x := x - _start_x[place]
-	var to_y := y - _start_y[place]
-	return (along_x * to_x + along_y * to_y) / (along_x * along_x + along_y * along_y)
-
-
-## Distance in pixels of a point from the line of the segment at that place, positive on the side of
-## its normal.
-func signed_distance(place: int, x: float, y: float) -> float:
-	var along_x := _end_x[place] - _start_x[place]
-	var along_y := _end_y[place] - _start_y[place]
-	return (along_x * (y - _start_y[place]) - along_y * (x - _start_x[place])) / _length[place]
-
-
-## x of the unit normal of the segment at that place.
-func normal_x(place: int) -> float:
-	return (_start_y[place] - _end_y[place]) / _length[place]
-
-
-## y of the unit normal of the segment at that place.
-func normal_y(place: int) -> float:
-	return (_end_x[place] - _start_x[place]) / _length[place]
-
-
-## The places of the segments that a ball at this point might touch, in their order.
-func places_near(_x_now: float, _y_now: float, _ball_radius: float) -> PackedInt32Array:
-	var places: PackedInt32Array = []
-	for place in size():
-		if _is_there[place] == 1:
-			places.append(place)
-	return places
+# Whether something is pulled back before it has risen by so much.
+func _is_held(approach: float, pull: float, height: float) -> bool:
+	return pull > 0.0 and approach * approach <= 2.0 * pull * height

@@ -6,10 +6,12 @@ extends BallFlights
 ## What a ball can touch that is no segment; segments count from 0.
 enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 
-## What ends a flight: the ball touches a surface or another ball, comes into another cell, has to
-## look again, slides off the end of what supports it, or has followed a piece of a round cap.
-enum { TOUCH, MEET, CROSS, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
+## What ends a flight: the ball touches a surface or another ball, has to look again, slides off the
+## end of what supports it, or has followed a piece of a round cap.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
 
+var _gravity_x := 0.0
+var _gravity_y := 0.0
 var _has_walls := false
 var _left_x := 0.0
 var _top_y := 0.0
@@ -25,7 +27,11 @@ var _touched: PackedInt32Array = []
 var _touched_feature: PackedInt32Array = []
 # The surface on which a ball lies or slides.
 var _support: PackedInt32Array = []
-# The surface that a ball under a pull has just left, and how fast along its normal.
+# The round end over which it slides, or Feature.LINE, and for how long the present piece lasts.
+var _rolled_end: PackedInt32Array = []
+var _piece: PackedFloat64Array = []
+# The surface that a ball has just left, and, under a pull, how fast along its normal: INF where it
+# never comes back to it.
 var _left_surface: PackedInt32Array = []
 var _left_speed: PackedFloat64Array = []
 var _accelerated := AcceleratedImpact.new()
@@ -68,7 +74,9 @@ func _forecast_touch(index: int) -> void:
 				seconds = to_wall
 				surface = TOP_WALL
 	if _segments.size() > 0:
-		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds):
+		# A segment is convex: in straight flight a ball never comes back to the one it has left.
+		var left := _left_surface[index]
+		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds, left):
 			seconds = _segments.time
 			surface = _segments.index
 			_touched_feature[index] = _segments.feature
@@ -98,7 +106,10 @@ func _forecast_accelerated_touch(index: int) -> void:
 	_surface = NOTHING
 	_kind = TOUCH
 	if _support[index] >= 0:
-		_forecast_slide(index, _support[index])
+		if _rolled_end[index] == Impact.Feature.LINE:
+			_forecast_slide(index, _support[index])
+		else:
+			_take(_piece[index], _support[index], FOLLOW_CAP)
 	if _has_walls:
 		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
 			_forecast_wall(index, wall)
@@ -106,7 +117,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 		var skipped := _support[index]
 		if _left_surface[index] >= 0:
 			skipped = _left_surface[index]
-			_forecast_return(index, skipped)
+			if _left_speed[index] < INF:
+				_forecast_return(index, skipped)
 		if _segments.first_accelerated_impact(
 			_x[index],
 			_y[index],
@@ -227,14 +239,20 @@ func _find_normal(index: int, surface: int) -> void:
 		BOTTOM_WALL:
 			_normal_y = -1.0
 		_:
+			_normal_x = _segments.normal_x(surface)
+			_normal_y = _segments.normal_y(surface)
 			var side := _segments.signed_distance(surface, _x[index], _y[index])
-			_normal_x = _segments.normal_x(surface) * (1.0 if side >= 0.0 else -1.0)
-			_normal_y = _segments.normal_y(surface) * (1.0 if side >= 0.0 else -1.0)
+			if side == 0.0:
+				# A centre on the line itself is stopped from the side it comes from.
+				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
+			if side < 0.0:
+				_normal_x = -_normal_x
+				_normal_y = -_normal_y
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_touch_time, _touch_low, _left_speed] as Array[PackedFloat64Array])
+	return super() + ([_touch_time, _touch_low, _left_speed, _piece] as Array[PackedFloat64Array])
 
 
 func _int_arrays() -> Array[PackedInt32Array]:
-	return [_touch_kind, _touched, _touched_feature, _support, _left_surface]
+	return [_touch_kind, _touched, _touched_feature, _support, _rolled_end, _left_surface]

@@ -18,6 +18,8 @@ var uses_grid := true:
 # Impacts are counted from here on, for one second.
 var _count_from := 0.0
 var _counted_impacts := 0
+# Until then nothing happens, as far as is known without asking.
+var _quiet_until := -INF
 # Counts the changes of segments, walls, gravity and bounciness.
 var _contents := 0
 
@@ -53,6 +55,7 @@ func set_gravity(gravity: Vec2) -> String:
 	_contents += 1
 	_gravity_x = gravity.x
 	_gravity_y = gravity.y
+	_lasting_speed.fill(NAN)
 	_begin_anew()
 	return ""
 
@@ -168,11 +171,13 @@ func remove_ball(index: int) -> String:
 		_balls_there -= 1
 		if _uses_cells:
 			_cells.remove(index)
+			_cross_time[index] = INF
 		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 	return problem
 
 
 func _count_again() -> void:
+	_quiet_until = -INF
 	_count_from = time
 	_counted_impacts = impacts
 
@@ -193,13 +198,6 @@ func _begin_anew() -> void:
 	for index in ball_count():
 		if _is_there[index] == 1:
 			_forecast(index)
-
-
-func _set_free(index: int) -> void:
-	_support[index] = NOTHING
-	_left_surface[index] = NOTHING
-	_pull_x[index] = _gravity_x
-	_pull_y[index] = _gravity_y
 
 
 func _resize_places(count: int) -> void:
@@ -225,6 +223,9 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start[index] = time
 	_start_low[index] = _time_low
 	_set_free(index)
+	_last_meeting[index] = -INF
+	_rolls.resize(ball_count())
+	_lasting_speed[index] = NAN
 	if _is_there[index] == 0:
 		_is_there[index] = 1
 		_balls_there += 1

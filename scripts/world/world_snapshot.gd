@@ -13,6 +13,8 @@ var impacts := 0
 var contents := 0
 ## Where the counting of impacts within a second began, and how many there were before.
 var counted: PackedFloat64Array = []
+## The slides over round ends; they never change.
+var rolls: Array[CapSlide] = []
 ## Copies of the world's arrays, in the world's own order.
 var arrays: Array = []
 

@@ -9,7 +9,7 @@ func _init() -> void:
 	var is_quick := OS.get_cmdline_user_args().has("--quick")
 	var boxes: Array[Dictionary] = []
 	for shot: Shot in BallInBoxProblem.shots():
-		boxes.append(_tasks(shot.situation, shot.seconds, shot.segments, [shot.ball]))
+		boxes.append(_tasks(shot.situation, shot.seconds, shot.segments(), [shot.ball]))
 	var crowds: Array[Dictionary] = []
 	for crowd: Crowd in ManyBallsProblem.crowds(is_quick):
 		var situation := CrowdFlight.situation_of(crowd.count)

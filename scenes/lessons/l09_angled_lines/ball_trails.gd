@@ -4,8 +4,10 @@ extends BoardPart
 ## forgets the latest frame when time goes back.
 
 # Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
-const _MOST_PLACES := 4000
+const _MOST_PLACES := 2000
 const _LONGEST := 1800
+# From the end of a trail to where it cannot be seen any more, in pixels of the plane.
+const _SEAM := Vector2(0.01, 0.0)
 
 ## Colour of the lines.
 @export var role := Palette.Role.A
@@ -68,7 +70,26 @@ func _draw() -> void:
 	var scale_now := board.pixels_per_unit
 	var origin := board.to_screen(Vec2.new())
 	draw_set_transform(origin, 0.0, Vector2(scale_now, scale_now))
-	var color := Color(Palette.color(role), 0.55)
+	var points: PackedVector2Array = []
+	var seams: PackedInt32Array = []
 	for trail in _trails:
 		if trail.size() > 1:
-			draw_polyline(trail, color, 1.5 / scale_now)
+			seams.append(points.size())
+			points.append(trail[0] - _SEAM)
+			points.append_array(trail)
+			seams.append(points.size())
+			points.append(trail[-1] + _SEAM)
+	if points:
+		draw_polyline_colors(points, _colors_of(points.size(), seams), 1.5 / scale_now)
+
+
+# All trails are one polyline, because each call of its own costs as much as a long trail: from the
+# end of one to the start of the next it cannot be seen.
+func _colors_of(count: int, seams: PackedInt32Array) -> PackedColorArray:
+	var color := Color(Palette.color(role), 0.55)
+	var colors: PackedColorArray = []
+	colors.resize(count)
+	colors.fill(color)
+	for seam in seams:
+		colors[seam] = Color(color, 0.0)
+	return colors

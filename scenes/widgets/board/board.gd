@@ -29,6 +29,12 @@ const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
 
+## Draws its own ground; not where a [Grid] lies on it, which has the same.
+var has_paper := true:
+	set(value):
+		has_paper = value
+		queue_redraw()
+
 ## Units between two lines of the grid: 1, 2 or 5 times 10^n.
 var grid_step := 1.0
 
@@ -57,7 +63,8 @@ func _ready() -> void:
 
 
 func _draw() -> void:
-	draw_rect(Rect2(Vector2.ZERO, size), Palette.PAPER)
+	if has_paper:
+		draw_rect(Rect2(Vector2.ZERO, size), Palette.PAPER)
 
 
 ## Where [param point] of the plane is on the board, in the board's own pixels. Points far outside

@@ -8,7 +8,9 @@ class GivenFamily:
 
 	func cases() -> Array[StabilityCase]:
 		return [
-			_case("equal", "0", func(_is_quick: bool) -> StabilityResult: return _at_most(0.0, 0.0)),
+			_case(
+				"equal", "0", func(_is_quick: bool) -> StabilityResult: return _at_most(0.0, 0.0)
+			),
 			_case("more", "1", func(_is_quick: bool) -> StabilityResult: return _at_most(2.0, 1.0)),
 			_case("none", "1", func(_is_quick: bool) -> StabilityResult: return _at_most(NAN, 1.0)),
 			_case("refused", "0", _refused),

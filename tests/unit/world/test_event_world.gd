@@ -238,6 +238,29 @@ func test_the_bound_counts_each_second_anew() -> void:
 	assert_eq(world.impacts, 600)
 
 
+func test_the_short_ways_of_bouncing_agree_with_the_long_ones() -> void:
+	var triangle: Array[Vector4] = [
+		Vector4(0, 0, 500, 40), Vector4(500, 40, 200, 400), Vector4(200, 400, 0, 0)
+	]
+	var ball := Ball.new(Vec2.new(220, 150), 10, Vec2.new(311, -97))
+	# Only a world that tells of its events takes the long way.
+	var short := EventWorlds.world(triangle, [ball])
+	var long := EventWorlds.world(triangle, [ball])
+	long.keeps_events = true
+	var short_in_walls := EventWorlds.gas(1, 3)
+	var long_in_walls := EventWorlds.gas(1, 3)
+	long_in_walls.keeps_events = true
+	for world: EventWorld in [short, long, short_in_walls, long_in_walls]:
+		world.advance(30.0)
+	var differences: PackedFloat64Array = [
+		short.position(0).distance_to(long.position(0)),
+		short_in_walls.position(0).distance_to(long_in_walls.position(0)),
+	]
+	assert_all_at_most(differences, 1e-10)
+	assert_eq([short.impacts, short_in_walls.impacts], [long.impacts, long_in_walls.impacts])
+	assert_gt(short.impacts, 40)
+
+
 # Where a coordinate is after some seconds between two walls, unfolded: exact to the rounding of the
 # answer, however long the way.
 static func _unfolded(

@@ -1,0 +1,88 @@
+extends SceneTree
+## How many frames a second the lesson on angled lines draws while its balls fly, and what a frame
+## costs: opens the window, as a user does.
+##
+## Run with: ./lab bench frame_rate (without a display it brings one of its own)
+## [br][br]
+## V-sync is off, so that a screen's own rate is no limit. Each situation is played three times; the
+## processor's time, of all threads of this process, hardly depends on who else uses the machine
+## (Linux only).
+
+const RUNS := 3
+const SECONDS := 4.0
+const WARM_UP := 30
+const FRAME := 1.0 / 60.0
+
+## The lesson's situations with 1, 10 and 50 balls.
+const SITUATIONS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
+
+var _lesson: Lesson
+
+
+func _init() -> void:
+	_run.call_deferred()
+
+
+func _run() -> void:
+	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
+	var frame := (
+		(load("res://scenes/shell/lesson_frame.tscn") as PackedScene).instantiate() as LessonFrame
+	)
+	frame.lesson_info = LessonIndex.find("angled_lines")
+	root.add_child(frame)
+	_lesson = frame.lesson
+	print("\nWindow %d x %d, %s" % [root.size.x, root.size.y, _renderer()])
+	print("%d runs of %s s each; milliseconds per frame are averages\n" % [RUNS, SECONDS])
+	print(
+		"| balls | frames a second, best | worst | processor ms, best run | script, ms of 1/60 s |"
+	)
+	print("|---|---|---|---|---|")
+	for count: int in SITUATIONS:
+		await _print_row(count)
+	quit()
+
+
+func _print_row(count: int) -> void:
+	var rates: PackedFloat64Array = []
+	var costs: PackedFloat64Array = []
+	for run: int in RUNS:
+		(_lesson.services[&"options"] as LessonOptions).preset_picked.emit(str(SITUATIONS[count]))
+		(_lesson.services[&"transport"] as Transport).is_playing = true
+		for frame: int in WARM_UP:
+			await process_frame
+		await _measure(rates, costs)
+	rates.sort()
+	costs.sort()
+	var script := (_lesson.get_node(^"%Player") as AngledLinesPlayer).meter.milliseconds
+	var share := script / FRAME / 10.0
+	print(
+		(
+			"| %d | %.0f | %.0f | %.1f | %.2f = %.1f %% |"
+			% [count, rates[-1], rates[0], costs[0], script, share]
+		)
+	)
+
+
+func _measure(rates: PackedFloat64Array, costs: PackedFloat64Array) -> void:
+	var start := Time.get_ticks_usec()
+	var processor := _processor_milliseconds()
+	var frames := 0
+	while Time.get_ticks_usec() - start < SECONDS * 1e6:
+		await process_frame
+		frames += 1
+	rates.append(frames * 1e6 / (Time.get_ticks_usec() - start))
+	costs.append((_processor_milliseconds() - processor) / frames)
+
+
+func _renderer() -> String:
+	return RenderingServer.get_video_adapter_name()
+
+
+# The kernel counts nanoseconds for each thread.
+func _processor_milliseconds() -> float:
+	var sum := 0.0
+	for thread: String in DirAccess.get_directories_at("/proc/self/task"):
+		var file := FileAccess.open("/proc/self/task/%s/schedstat" % thread, FileAccess.READ)
+		if file:
+			sum += file.get_line().get_slice(" ", 0).to_float() / 1e6
+	return sum

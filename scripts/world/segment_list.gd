@@ -1,0 +1,99 @@
+class_name SegmentList
+extends RefCounted
+## Segments in packed arrays, each at a place of its own, and where a point is as seen from them.
+
+var _start_x: PackedFloat64Array = []
+var _start_y: PackedFloat64Array = []
+var _end_x: PackedFloat64Array = []
+var _end_y: PackedFloat64Array = []
+var _length: PackedFloat64Array = []
+# 1 where there is a segment: a removed one leaves its place empty.
+var _is_there: PackedByteArray = []
+
+
+## How many places there are, with those of removed segments.
+func size() -> int:
+	return _length.size()
+
+
+## Whether there is a segment at that place.
+func has_segment(place: int) -> bool:
+	return place >= 0 and place < size() and _is_there[place] == 1
+
+
+## The segment at that place.
+func segment(place: int) -> LineSegment:
+	return LineSegment.new(
+		Vec2.new(_start_x[place], _start_y[place]), Vec2.new(_end_x[place], _end_y[place])
+	)
+
+
+## The length in pixels of the segment at that place.
+func length(place: int) -> float:
+	return _length[place]
+
+
+## Puts a segment at a place; at the end where the place is [method size].
+func put(place: int, new_segment: LineSegment) -> void:
+	if place == size():
+		for numbers: PackedFloat64Array in [_start_x, _start_y, _end_x, _end_y, _length]:
+			numbers.append(0.0)
+		_is_there.append(0)
+	_start_x[place] = new_segment.start.x
+	_start_y[place] = new_segment.start.y
+	_end_x[place] = new_segment.end.x
+	_end_y[place] = new_segment.end.y
+	_length[place] = new_segment.length()
+	_is_there[place] = 1
+
+
+## Leaves the place empty.
+func remove(place: int) -> void:
+	_is_there[place] = 0
+
+
+## x of an end of the segment at that place: its start or its end.
+func end_x(place: int, of: Impact.Feature) -> float:
+	return _end_x[place] if of == Impact.Feature.END else _start_x[place]
+
+
+## y of an end of the segment at that place.
+func end_y(place: int, of: Impact.Feature) -> float:
+	return _end_y[place] if of == Impact.Feature.END else _start_y[place]
+
+
+## Where the perpendicular from a point meets the segment at that place: 0 at its start, 1 at its
+## end.
+func share_of(place: int, x: float, y: float) -> float:
+	var along_x := _end_x[place] - _start_x[place]
+	var along_y := _end_y[place] - _start_y[place]
+	var to_x := x - _start_x[place]
+	var to_y := y - _start_y[place]
+	return (along_x * to_x + along_y * to_y) / (along_x * along_x + along_y * along_y)
+
+
+## Distance in pixels of a point from the line of the segment at that place, positive on the side of
+## its normal.
+func signed_distance(place: int, x: float, y: float) -> float:
+	var along_x := _end_x[place] - _start_x[place]
+	var along_y := _end_y[place] - _start_y[place]
+	return (along_x * (y - _start_y[place]) - along_y * (x - _start_x[place])) / _length[place]
+
+
+## x of the unit normal of the segment at that place.
+func normal_x(place: int) -> float:
+	return (_start_y[place] - _end_y[place]) / _length[place]
+
+
+## y of the unit normal of the segment at that place.
+func normal_y(place: int) -> float:
+	return (_end_x[place] - _start_x[place]) / _length[place]
+
+
+## The places of the segments that a ball at this point might touch, in their order.
+func places_near(_x_now: float, _y_now: float, _ball_radius: float) -> PackedInt32Array:
+	var places: PackedInt32Array = []
+	for place in size():
+		if _is_there[place] == 1:
+			places.append(place)
+	return places

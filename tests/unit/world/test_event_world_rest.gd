@@ -1,0 +1,125 @@
+extends LabTest
+## Balls that lie, slide, roll over an end or lie on each other: nothing sinks in, nothing hangs.
+
+const GRAVITY := 500.0
+
+
+func test_a_ball_that_is_put_on_a_floor_lies_there() -> void:
+	for bounciness: float in [0.0, 0.5, 1.0]:
+		var world := _falling([Vector4(-90, 0, 900, 0)], [_ball(0, -10, 70, 0)], bounciness)
+		world.advance(2.0)
+		assert_true(world.is_resting(0))
+		assert_vec2(world.position(0), Vec2.new(140, -10), 1e-12)
+
+
+func test_a_resting_ball_stays_on_its_line_whatever_is_changed() -> void:
+	var gaps := PackedFloat64Array()
+	for change: int in 100:
+		var along := Vec2.unit_radians(-0.5 + change / 100.0)
+		var line := LineSegment.new(along.scaled(-5000.0), along.scaled(5000.0))
+		var world := _falling([], [Ball.new(along.normal().scaled(-37.0), 7.0)], 0.3)
+		world.add_segment(line)
+		world.advance(2.0)
+		_change(world, change % 4, line)
+		world.advance(1.0)
+		var nearest := line.closest_point(world.position(0))
+		gaps.append(absf(nearest.distance_to(world.position(0)) - 7.0))
+	assert_all_at_most(gaps, 1e-9)
+
+
+func test_a_ball_that_slides_into_a_wall_stays_on_the_floor() -> void:
+	var lines: Array[Vector4] = [Vector4(-900, 0, 100, 0), Vector4(100, 0, 100, -200)]
+	var world := _falling(lines, [_ball(0, -10, 60, 0)], 0.5)
+	world.advance(3.5)
+	assert_vec2(world.position(0), Vec2.new(30, -10), 1e-9)
+	assert_true(world.is_resting(0))
+
+
+func test_a_ball_comes_to_rest_between_two_slopes() -> void:
+	for bounciness: float in [0.0, 0.5, 0.9]:
+		var lines: Array[Vector4] = [Vector4(-200, -100, 0, 0), Vector4(0, 0, 200, -100)]
+		var world := _falling(lines, [_ball(30, -150, 0, 0)], bounciness)
+		world.advance(30.0)
+		var impacts := world.impacts
+		world.advance(10.0)
+		assert_vec2(world.position(0), Vec2.new(0, -5.0 * sqrt(5.0)), 1e-4)
+		assert_eq([world.impacts, world.next_event_time()], [impacts, INF])
+		assert_eq([world.velocity(0).x, world.velocity(0).y], [0.0, 0.0])
+
+
+func test_a_slow_ball_rolls_over_the_end_of_a_segment() -> void:
+	var world := _falling([Vector4(-200, 0, 0, 0)], [_ball(-20, -10, 20, 0)], 0.5)
+	world.keeps_events = true
+	var distances := PackedFloat64Array()
+	var energies := PackedFloat64Array()
+	var energy := world.energy()
+	for step: int in 1500:
+		world.advance(0.001)
+		energies.append(absf(world.energy() / energy - 1.0))
+		if world.position_x(0) > 0.0 and world.is_resting(0):
+			distances.append(absf(world.position(0).length() - 10.0))
+	assert_gt(distances.size(), 100)
+	assert_all_at_most(distances, BallRolls.OFF_CIRCLE)
+	assert_all_at_most(energies, 1e-6)
+	# It leaves where it is no longer pressed on the end: cos a = (v0^2 / (g R) + 2) / 3.
+	var leave := world.events[-1]
+	assert_eq(leave.kind, WorldEvent.Kind.LEAVE)
+	assert_almost_eq(-leave.normal.y, (20.0 * 20.0 / (GRAVITY * 10.0) + 2.0) / 3.0, 1e-9)
+	assert_almost_eq(leave.velocity_after.length_squared(), -leave.normal.y * GRAVITY * 10.0, 1e-6)
+
+
+func test_a_fast_ball_flies_off_the_end_of_a_segment() -> void:
+	# 80^2 / 10 px/s^2 are more than gravity.
+	var world := _falling([Vector4(-200, 0, 0, 0)], [_ball(-40, -10, 80, 0)], 0.5)
+	world.advance(1.0)
+	assert_vec2(world.position(0), Vec2.new(40, -10.0 + GRAVITY / 8.0), 1e-9)
+
+
+func test_balls_on_top_of_each_other_neither_sink_in_nor_hang() -> void:
+	for bounciness: float in [0.0, 0.5]:
+		var balls: Array[Ball] = [_ball(0, -10, 0, 0), _ball(0, -30, 0, 0), _ball(0, -55, 0, 0)]
+		var world := _falling([Vector4(-90, 0, 90, 0)], balls, bounciness)
+		var overlaps := PackedFloat64Array()
+		for step: int in 60:
+			assert_eq(world.advance(1.0 / 60.0), "")
+			overlaps.append(EventWorlds.deepest_overlap(world))
+		assert_all_at_most(overlaps, 1e-9)
+		assert_lt(world.impacts, 5000)
+		assert_gt(world.position_y(2), -50.1)
+
+
+func test_balls_that_lose_all_speed_do_not_meet_without_end() -> void:
+	var balls: Array[Ball] = []
+	for place: int in 5:
+		balls.append(_ball(20.0 * place, 0, 50 - 20 * place, 0))
+	var world := EventWorlds.world([], balls, Vec2.new(), 0.0)
+	world.most_impacts_per_second = 1000
+	assert_eq(world.advance(1.0), "")
+	assert_lt(EventWorlds.deepest_overlap(world), 1e-9)
+
+
+func test_a_centre_on_a_line_is_stopped_once() -> void:
+	var world := EventWorlds.world([Vector4(-90, 0, 90, 0)], [_ball(3, 0, 7, 8)])
+	world.advance(2.0)
+	assert_vec2(world.position(0), Vec2.new(17, -16), 0.0)
+	assert_eq(world.impacts, 1)
+
+
+func _falling(lines: Array[Vector4], balls: Array[Ball], bounciness: float) -> EventWorld:
+	return EventWorlds.world(lines, balls, Vec2.new(0, GRAVITY), bounciness)
+
+
+func _ball(x: float, y: float, velocity_x: float, velocity_y: float) -> Ball:
+	return Ball.new(Vec2.new(x, y), 10.0, Vec2.new(velocity_x, velocity_y))
+
+
+func _change(world: EventWorld, kind: int, line: LineSegment) -> void:
+	match kind:
+		0:
+			world.set_gravity(Vec2.new(30, 400))
+		1:
+			world.move_segment(0, line)
+		2:
+			world.change_ball(0, world.ball(0))
+		3:
+			world.set_walls(Vec2.new(-1e6, -1e6), Vec2.new(1e6, 1e6))
