@@ -48,6 +48,7 @@ const _NAMES: PackedStringArray = [
 	"event world, walls as segments",
 	"event world, grid",
 	"event world, scan",
+	"event world, flights followed",
 	"%s segments",
 	"%s balls",
 	"explicit Euler",
