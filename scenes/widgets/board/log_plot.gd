@@ -15,6 +15,8 @@ const _FOOT := 52.0
 const _FONT_SIZE := 16
 # From a point to its card.
 const _BESIDE := 16.0
+# The same where that place hides other points.
+const _FURTHER := 90.0
 # A longer line of the card is broken.
 const _WIDEST := 400.0
 
@@ -201,13 +203,14 @@ func _width_of_longest(lines: PackedStringArray) -> float:
 	return ceilf(longest)
 
 
-# Above or below the point, to its right or left: where the card hides the fewest others.
+# Above or below the point, to its right or left, near or further: where the card hides the fewest
+# others.
 func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
 	var best := Vector2.ZERO
 	var fewest := _points.size() + 1
 	var room := Rect2(_area.field.position, size - _area.field.position - extent)
 	for across: float in [_BESIDE, -_BESIDE - extent.x]:
-		for down: float in [-_BESIDE - extent.y, _BESIDE]:
+		for down: float in [-_BESIDE - extent.y, _BESIDE, -_FURTHER - extent.y, _FURTHER]:
 			var place := (at + Vector2(across, down)).clamp(
 				room.position, room.end.max(room.position)
 			)
