@@ -18,8 +18,8 @@ const SITUATIONS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
 func _init() -> void:
 	print("Milliseconds of script per frame (median of %d), share of 1/60 s\n" % FRAMES)
-	print("| balls | lines | position reset | impact, rest dropped | impact, rest used |")
-	print("|---|---|---|---|---|")
+	print("| balls | lines | position reset | rest dropped | rest used | event world |")
+	print("|---|---|---|---|---|---|")
 	for count: int in SITUATIONS:
 		_print_row(count)
 	quit(0 if _soak() else 1)

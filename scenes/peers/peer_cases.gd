@@ -27,6 +27,6 @@ static func of(problem_id: String, is_quick: bool, host: Node) -> Array[Measured
 					found.append(RigidCrowd.new(host, crowd, rate))
 		"digits_of_pi":
 			for n in DigitsOfPiProblem.numbers(is_quick):
-				for rate: int in [60, 960]:
+				for rate: int in [60, 960] if is_quick or n > 2 else [60, 960, 3840]:
 					found.append(RigidPi.new(host, n, rate))
 	return found

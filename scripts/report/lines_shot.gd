@@ -80,9 +80,9 @@ func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 	case.error_unit = "1/bounces"
 	case.error = 1.0 / maxi(count, 1)
 	case.figures["bounces"] = count
-	case.note = "1 px off after %d bounces, %.2f s" % [count, time]
-	if frame == frames:
-		case.note = "never 1 px off in %d bounces, %.2f s" % [count, time]
+	var words := "never 1 px off in" if frame == frames else "1 px off after"
+	var bounces := "1 bounce" if count == 1 else "%d bounces" % count
+	case.note = "%s %s, %.2f s" % [words, bounces, time]
 
 
 ## The exact path over [member Shot.path_seconds].

@@ -8,7 +8,7 @@ const _OPEN := "‹"
 const _CLOSE := "›"
 ## Words that are the same in every language, besides what is printed on keys: symbols of the
 ## formulas, and code.
-const _SYMBOLS := "px py nx ny bx by ac cos sin atan POI old new now gap"
+const _SYMBOLS := "px py nx ny bx by ac cos sin atan log POI old new now gap"
 const _CODE := "Vec Vector copy position value normal bounce reflect slide"
 
 var _old_locale := ""

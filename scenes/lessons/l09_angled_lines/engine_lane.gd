@@ -29,6 +29,11 @@ func is_on() -> bool:
 	return _shot != null
 
 
+## How far the body is from the ball, in pixels.
+func gap() -> float:
+	return _gap
+
+
 ## Lets the body start where the selected ball of [param model] is now.
 func begin(model: AngledLinesModel) -> void:
 	switch_off()

@@ -75,12 +75,12 @@ func show_point(measurements: Array[Measurement], frontier: PackedInt32Array, pl
 	if other >= 0:
 		_show_order(measurements[place], measurements[other])
 	else:
-		_formula.show_lines(ErrorAndTimeTexts.formula_lines(false))
+		_formula.show_lines(ErrorAndTimeTexts.formula_lines(false, false))
 
 
 func _show_order(one: Measurement, other: Measurement) -> void:
 	var order := ErrorAndTimeModel.order(one, other)
-	_formula.show_lines(ErrorAndTimeTexts.formula_lines(is_finite(order)))
+	_formula.show_lines(ErrorAndTimeTexts.formula_lines(true, is_finite(order)))
 	_formula.set_text("e1_number", NumberText.short(one.error, 3))
 	_formula.set_text("e2_number", NumberText.short(other.error, 3))
 	_formula.set_text("t1_number", NumberText.short(one.run_time_us, 3))

@@ -15,7 +15,7 @@ static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
 		)
 	)
 	if measurement.note:
-		found.append(measurement.note)
+		found.append(MeasuredWords.of(measurement.note))
 	if is_best:
 		found.append(_translate("on the frontier"))
 	return found
@@ -70,9 +70,9 @@ static func row(title: String, measurement: Measurement, fastest: Measurement) -
 	return [title, error_text, run_time(measurement.run_time_us), NumberText.short(times, 3)]
 
 
-## The formula lines on the order of the method that is pointed at; [param has_order] where it has
-## two settings to compare.
-static func formula_lines(has_order: bool) -> PackedStringArray:
+## The formula lines on the order of the method that is pointed at. [param has_settings] where it
+## has two settings to compare, [param has_order] where their errors can be compared, too.
+static func formula_lines(has_settings: bool, has_order: bool) -> PackedStringArray:
 	var order := "{p} = log( {e1} / {e2} ) / log( {t2} / {t1} )"
 	if has_order:
 		return [
@@ -80,6 +80,8 @@ static func formula_lines(has_order: bool) -> PackedStringArray:
 			"{e1} / {e2} = {e1_number} / {e2_number}",
 			"{t2} / {t1} = {t2_number} / {t1_number}",
 		]
+	if has_settings:
+		return [order, _translate("An error of 0, or no answer,"), _translate("has no order.")]
 	return [
 		order,
 		_translate("Point at a method with several settings:"),

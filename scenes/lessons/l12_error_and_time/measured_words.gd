@@ -48,6 +48,7 @@ const _NAMES: PackedStringArray = [
 	"event world, walls as segments",
 	"event world, grid",
 	"event world, scan",
+	"event world, flights followed",
 	"%s segments",
 	"%s balls",
 	"explicit Euler",
@@ -63,6 +64,17 @@ const _NAMES: PackedStringArray = [
 	"body_test_motion, concave shape",
 	"RigidBody2D",
 	"RigidBody2D, CCD ray",
+]
+
+# What is said beside a measurement: source text.
+const _NOTES: PackedStringArray = [
+	"the ball has left the box",
+	"%s px off after %s bounces, %s s",
+	"after %s bounces",
+	"height %s px, energy %s of the start's",
+	"height -%s px, energy -%s of the start's",
+	"blown up: more than %s times the energy of the start",
+	"%s impacts, %s are right",
 ]
 
 # Not a digit within a word, such as that of atan2.

@@ -34,3 +34,11 @@ func passed_count() -> int:
 	for result in results:
 		count += 1 if result.passed else 0
 	return count
+
+
+## The place of the first case tried that does not hold; 0 where all hold.
+func first_failure() -> int:
+	for place in results.size():
+		if not results[place].passed:
+			return place
+	return 0

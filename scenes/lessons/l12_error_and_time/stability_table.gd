@@ -1,7 +1,7 @@
 class_name StabilityTable
 extends ScrollContainer
-## The table of stiff and extreme cases on the board, a row a case; follows the one that was tried
-## last.
+## The table of stiff and extreme cases on the board, a row a case: follows the one that was tried
+## last, and in the end goes to the first that does not hold, or to the top.
 
 const _ROW := preload("res://scenes/lessons/l12_error_and_time/stability_row.tscn")
 
@@ -17,8 +17,9 @@ func show_run(run: StabilityRun) -> void:
 			_rows.add_child(_ROW.instantiate())
 		_show_rows(run, 0, run.size())
 	_show_rows(run, mini(_shown, run.done_count()), maxi(_shown, run.done_count()))
-	if run.is_going and run.done_count() > 0:
-		ensure_control_visible.call_deferred(row(run.done_count() - 1))
+	if run.done_count() > 0 and run.done_count() != _shown:
+		var place := run.first_failure() if run.is_done() else run.done_count() - 1
+		ensure_control_visible.call_deferred(row(place))
 	_shown = run.done_count()
 
 

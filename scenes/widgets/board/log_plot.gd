@@ -9,12 +9,16 @@ signal point_chosen(index: int)
 
 # A pointer this close to a point, in pixels, means it.
 const _REACH := 30.0
-const _MARGIN_LEFT := 74.0
+const _MARGIN_LEFT := 86.0
 const _MARGIN := 14.0
 const _FOOT := 52.0
 const _FONT_SIZE := 16
 # From a point to its card.
 const _BESIDE := 16.0
+# The same where that place hides other points.
+const _FURTHER := 90.0
+# A longer line of the card is broken.
+const _WIDEST := 400.0
 
 var _area := LogPlotArea.new()
 var _legend := PlotLegend.new()
@@ -184,17 +188,32 @@ func _show_card() -> void:
 	if _chosen < 0:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
+	_words.custom_minimum_size.x = minf(_width_of_longest(_points[_chosen].words), _WIDEST)
 	_card.reset_size()
 	_card.position = _place_beside(pixel_of(_chosen), _card.size)
 
 
-# Above or below the point, to its right or left: where the card hides the fewest others.
+func _width_of_longest(lines: PackedStringArray) -> float:
+	var font := _words.get_theme_font(&"font")
+	var font_size := _words.get_theme_font_size(&"font_size")
+	var longest := 0.0
+	for line in lines:
+		var width := font.get_string_size(line, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+		longest = maxf(longest, width)
+	return ceilf(longest)
+
+
+# Above or below the point, to its right or left, near or further: where the card hides the fewest
+# others.
 func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
 	var best := Vector2.ZERO
 	var fewest := _points.size() + 1
+	var room := Rect2(_area.field.position, size - _area.field.position - extent)
 	for across: float in [_BESIDE, -_BESIDE - extent.x]:
-		for down: float in [-_BESIDE - extent.y, _BESIDE]:
-			var place := (at + Vector2(across, down)).clamp(Vector2.ZERO, size - extent)
+		for down: float in [-_BESIDE - extent.y, _BESIDE, -_FURTHER - extent.y, _FURTHER]:
+			var place := (at + Vector2(across, down)).clamp(
+				room.position, room.end.max(room.position)
+			)
 			var covered := _count_inside(Rect2(place, extent).grow(PlotMark.RADIUS))
 			if covered < fewest:
 				best = place

@@ -56,7 +56,7 @@ func _draw_strips(canvas: Control, scaled: Rect2) -> void:
 	if _y.has_no_answer:
 		left.y = scaled.position.y
 		_draw_line(canvas, left, Vector2(field.end.x, left.y), Palette.AXIS)
-		_write(canvas, canvas.tr("no answer"), Vector2(left.x + 8.0, _y_pixel(INF)), 0.0)
+		_write(canvas, canvas.tr("no answer"), Vector2(left.x - 8.0, _y_pixel(INF)), 1.0)
 
 
 # The field without its strips.

@@ -5,7 +5,7 @@ extends RefCounted
 const _FONT_SIZE := 16
 const _ROW := 25.0
 # From the mark's middle to its text, and from there to the next mark.
-const _BESIDE := 16.0
+const _BESIDE := 18.0
 const _GAP := 20.0
 # How much of a line stands for a line.
 const _STROKE := 26.0

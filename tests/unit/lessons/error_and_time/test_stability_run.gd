@@ -22,6 +22,7 @@ func test_cases_are_tried_in_their_order_and_those_that_hold_are_counted() -> vo
 	var passed := run.results.map(func(result: StabilityResult) -> bool: return result.passed)
 	assert_eq(passed, [true, false, true])
 	assert_eq(run.passed_count(), 2)
+	assert_eq(run.first_failure(), 1)
 	assert_true(run.is_done())
 
 
