@@ -9,6 +9,7 @@ static func all() -> Array[StabilityCase]:
 		PiStability.new(),
 		WedgeStability.new(),
 		ZenoStability.new(),
+		RestStability.new(),
 		ShotStability.new(),
 		ScaleStability.new(),
 		SeamStability.new(),

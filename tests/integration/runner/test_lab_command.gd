@@ -9,7 +9,9 @@ func should_skip_script() -> bool:
 func test_without_a_command_it_lists_the_commands() -> void:
 	var lab := LabCommand.run("res://", [])
 	assert_eq(lab.exit_code, 0)
-	for command: String in ["run", "test", "lint", "report", "bench", "pictures", "setup", "help"]:
+	for command: String in [
+		"run", "test", "lint", "stability", "report", "bench", "pictures", "setup", "help"
+	]:
 		assert_string_contains(lab.output, "\n  %s " % command)
 
 
@@ -35,6 +37,25 @@ func test_an_unknown_benchmark_is_refused() -> void:
 	var lab := LabCommand.run("res://", ["bench", "not_there"])
 	assert_eq(lab.exit_code, 2)
 	assert_string_contains(lab.last_line(), "usage: ./lab bench NAME; there are: ")
+
+
+func test_stability_prints_a_line_for_each_case_that_is_asked_for() -> void:
+	var lab := LabCommand.run("res://", ["stability", "--quick", "wedge of 60"])
+	assert_eq(lab.exit_code, 0)
+	assert_string_contains(lab.output, "| pass | A ball shot into a wedge of 60° | 3 bounces")
+	assert_string_starts_with(lab.last_line(), "1 passed, 0 failed")
+
+
+func test_stability_says_so_when_no_case_fits() -> void:
+	var lab := LabCommand.run("res://", ["stability", "not_there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "no case has 'not_there' in its title")
+
+
+func test_an_unknown_option_of_stability_is_refused() -> void:
+	var lab := LabCommand.run("res://", ["stability", "--fast"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "usage: ./lab stability [--quick] [WORD]")
 
 
 func test_a_godot_that_is_not_there_is_refused() -> void:
