@@ -52,4 +52,5 @@ fi
 "$LAB_ROOT/tools/run_with_patience.sh" 120 "$godot" --headless --fixed-fps 60 --path "$LAB_ROOT" \
 	-s tools/report/report.gd -- ${quick:+"$quick"} ${problems:+"$problems"}
 rm -f "$folder/shots.json" "$folder/peers.json" "$folder/peers.log"
+[ -s "$folder/report.md" ] || die 1 "no report was written; see what Godot said above"
 say "written: build/report/report.md, error_vs_time.csv and a picture for each problem"

@@ -4,8 +4,9 @@ extends DropCase
 ## penalty method, stepped by semi-implicit Euler.
 ##
 ## The damping is what makes a bounce of the exact spring leave C of the speed: its share of the
-## critical one is -ln C / sqrt(pi^2 + ln^2 C); all of it for C = 0. A step of semi-implicit Euler
-## is stable only while stiffness * step^2 < 4.
+## critical one is -ln C / sqrt(pi^2 + ln^2 C); all of it for C = 0. That holds for the damped
+## spring as it is, which brakes a ball that leaves the floor, too. A step of semi-implicit Euler is
+## stable only while stiffness * step^2 < 4.
 
 ## In 1/s^2: how much it accelerates the ball per pixel of depth.
 var stiffness: float
@@ -47,8 +48,7 @@ func _fly(count: int) -> void:
 	for i in count:
 		var acceleration := -DroppedBall.GRAVITY
 		if height < 0.0:
-			# A floor pushes and never pulls.
-			acceleration += maxf(-stiffness * height - _damping * speed, 0.0)
+			acceleration -= stiffness * height + _damping * speed
 		speed += acceleration * step_seconds
 		height += speed * step_seconds
 		_height = height

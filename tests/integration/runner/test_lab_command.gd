@@ -10,7 +10,7 @@ func test_without_a_command_it_lists_the_commands() -> void:
 	var lab := LabCommand.run("res://", [])
 	assert_eq(lab.exit_code, 0)
 	for command: String in [
-		"run", "test", "lint", "stability", "bench", "pictures", "setup", "help"
+		"run", "test", "lint", "report", "stability", "bench", "pictures", "setup", "help"
 	]:
 		assert_string_contains(lab.output, "\n  %s " % command)
 

@@ -52,6 +52,12 @@ func test_methods_differ_in_shape_and_colour_and_peers_are_hollow() -> void:
 	assert_eq(looks.size(), 16)
 
 
+func test_a_peer_is_an_outline_on_paper() -> void:
+	var paper := 'fill="%s"' % SvgText.paper()
+	assert_string_contains(PlotMarker.new(1, true).element(0.0, 0.0, 5.0), paper)
+	assert_false(PlotMarker.new(1, false).element(0.0, 0.0, 5.0).contains(paper))
+
+
 func test_neighbours_in_the_legend_differ_in_colour_too() -> void:
 	assert_ne(PlotMarker.new(0, false).color, PlotMarker.new(1, false).color)
 
