@@ -5,10 +5,16 @@ extends BallRolls
 ## Where nothing presses a ball on a line it leaves with at least this share of its speed along the
 ## normal, so that no rounding lets it meet the same line once more.
 const LEAST_SHARE := 1.0 / 2.0 ** 50
+## A ball loses no speed in an impact if it has met another one within this time before, in seconds:
+## among three balls that lose speed, or two and a wall, impacts may pile up without end (the TC
+## model of Luding and McNamara, How to Handle the Inelastic Collapse, 1998).
+const PILE_UP := 1e-6
 
 # The squared speed of a ball that no gravity pulls, from one elastic bounce to the next; NAN where
 # it has changed.
 var _lasting_speed: PackedFloat64Array = []
+# When each ball has met another one last.
+var _last_meeting: PackedFloat64Array = []
 
 
 # A ball touches a wall or a segment.
@@ -139,7 +145,7 @@ func _leave(index: int, surface: int, approach: float, event: WorldEvent) -> voi
 	var speed_squared := _squared_speed(index)
 	var is_line := _is_line(index, surface)
 	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
-	var speed := _bounciness * approach
+	var speed := approach if _is_pile_up(index) else _bounciness * approach
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
 	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
@@ -165,6 +171,10 @@ func _leave(index: int, surface: int, approach: float, event: WorldEvent) -> voi
 		_roll(index, surface, _touched_feature[index] as Impact.Feature)
 
 
+func _is_pile_up(index: int) -> bool:
+	return time - _last_meeting[index] < PILE_UP
+
+
 # A unit normal is rounded, always to the same side for the same line: scaled back to its length
 # before, the velocity does not grow or shrink over a million bounces.
 func _keep_speed(index: int, speed_squared: float) -> void:
@@ -184,4 +194,4 @@ func _lift(index: int, speed: float, speed_squared: float) -> void:
 
 
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_lasting_speed] as Array[PackedFloat64Array])
+	return super() + ([_lasting_speed, _last_meeting] as Array[PackedFloat64Array])

@@ -5,17 +5,9 @@ extends BallBounces
 ## A ball that slides off the end of a segment goes on on another one if that is as near as this, in
 ## pixels, and as level, in radians.
 const SEAM := 1e-9
-## An impact of two balls loses no speed if one of them has met a ball within this time before, in
-## seconds: among three balls and more that lose speed, impacts may pile up without end (the TC
-## model of Luding and McNamara, How to Handle the Inelastic Collapse, 1998).
-const PILE_UP := 1e-6
-
 ## Bounces that pile up on another ball, on which nothing lies still, end in hops of this time, in
 ## seconds, in which no speed is lost any more: 0.006 px high at 500 px/s^2.
 const LEAST_HOP := 1e-2
-
-# When each ball has met another one last.
-var _last_meeting: PackedFloat64Array = []
 
 
 func _happen(index: int) -> void:
@@ -112,7 +104,7 @@ func _exchange(one: int, other: int) -> void:
 	var velocity_y := _velocity_y[one] - _velocity_y[other]
 	var approach := -(velocity_x * _normal_x + velocity_y * _normal_y)
 	var speed := _bounciness * approach
-	if time - maxf(_last_meeting[one], _last_meeting[other]) < PILE_UP:
+	if _is_pile_up(one) or _is_pile_up(other):
 		speed = approach
 	_last_meeting[one] = time
 	_last_meeting[other] = time
@@ -124,6 +116,10 @@ func _exchange(one: int, other: int) -> void:
 		var pressure := -(pull_x * _normal_x + pull_y * _normal_y) - outwards
 		approach = maxf(approach, 0.0)
 		speed = _hop_speed(speed, approach, pressure)
+	if _bounciness < 1.0:
+		# Rounding must not let them meet once more at once.
+		var size := sqrt(_squared_speed(one)) + sqrt(_squared_speed(other))
+		speed = maxf(speed, LEAST_SHARE * size)
 	if not approach + speed > 0.0:
 		return
 	var share := (approach + speed) / (_mass[one] + _mass[other])
@@ -167,7 +163,3 @@ func _forget_surface(index: int) -> void:
 	if speed <= 0.0:
 		impacts += 1
 		_leave(index, surface, -speed, _begin_event(index))
-
-
-func _float_arrays() -> Array[PackedFloat64Array]:
-	return super() + ([_last_meeting] as Array[PackedFloat64Array])

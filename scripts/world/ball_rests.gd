@@ -13,6 +13,8 @@ const REST_HOP := 1e-12
 const REST_HEIGHT := 1e-9
 ## How near the second one must be then, in pixels.
 const REST_GAP := 1e-6
+## Contacts whose normals differ by less than this, in radians, are one.
+const LEAST_ANGLE := 1e-6
 
 ## Impacts so far, of balls with anything.
 var impacts := 0
@@ -25,7 +27,7 @@ var _bounciness := 1.0
 
 
 func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> void:
-	if _bounciness < 1.0 and _is_held_by_two(index, surface):
+	if _bounciness < 1.0 and _is_held_by_two(index):
 		_lie_still(index, surface)
 	elif pressure > 0.0:
 		var least := maxf(REST_HOP, REST_TIME * (1.0 - _bounciness))
@@ -33,56 +35,45 @@ func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> v
 			_rest(index, surface, speed, pressure)
 
 
-# Whether a ball that can hardly rise touches another line, so that both together hold it; the
-# normal is that of the first one.
-func _is_held_by_two(index: int, surface: int) -> bool:
+# Whether a ball that can hardly rise touches something else, a line or a round end, so that both
+# together hold it; the normal is that of the first one.
+func _is_held_by_two(index: int) -> bool:
 	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	if _squared_speed(index) > 2.0 * gravity * REST_HEIGHT:
 		return false
-	var first_x := _normal_x
-	var first_y := _normal_y
-	var is_held := false
-	for other in _surfaces_near(index):
-		if other != surface and not is_held:
-			_find_normal(index, other)
-			# Gravity, turned round, is one_share first normal + other_share other normal.
-			var area := first_x * _normal_y - first_y * _normal_x
-			var one_share := (_gravity_y * _normal_x - _gravity_x * _normal_y) / area
-			var other_share := (first_y * _gravity_x - first_x * _gravity_y) / area
-			is_held = area != 0.0 and one_share > 0.0 and other_share > 0.0
-	_normal_x = first_x
-	_normal_y = first_y
-	return is_held
-
-
-# The walls and lines that a ball touches now.
-func _surfaces_near(index: int) -> PackedInt32Array:
-	var found: PackedInt32Array = []
-	var x := _x[index]
-	var y := _y[index]
-	var reach := _radius[index] + REST_GAP
 	if _has_walls:
 		for wall: int in [LEFT_WALL, RIGHT_WALL, TOP_WALL, BOTTOM_WALL]:
-			if _distance_from_wall(wall, x, y) <= reach:
-				found.append(wall)
-	for place in _segments.places_near(x, y, reach):
-		var slack := REST_GAP / _segments.length(place)
-		var share := _segments.share_of(place, x, y)
-		if share >= -slack and share <= 1.0 + slack:
-			if absf(_segments.signed_distance(place, x, y)) <= reach:
-				found.append(place)
-	return found
+			if _holds_at(index, _nearest_on_wall(index, wall)):
+				return true
+	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
+		if _holds_at(index, _segments.nearest_point(place, _x[index], _y[index])):
+			return true
+	return false
 
 
-func _distance_from_wall(wall: int, x: float, y: float) -> float:
+# Whether the ball touches this point, and gravity lies between the normals of both contacts.
+func _holds_at(index: int, point: Vec2) -> bool:
+	var dx := _x[index] - point.x
+	var dy := _y[index] - point.y
+	var distance := sqrt(dx * dx + dy * dy)
+	if distance > _radius[index] + REST_GAP or distance == 0.0:
+		return false
+	# Gravity, turned round, is one_share of the first normal and other_share of the other one.
+	var area := _normal_x * dy - _normal_y * dx
+	var one_share := (_gravity_y * dx - _gravity_x * dy) * area
+	var other_share := (_normal_y * _gravity_x - _normal_x * _gravity_y) * area
+	return absf(area) > LEAST_ANGLE * distance and one_share > 0.0 and other_share > 0.0
+
+
+func _nearest_on_wall(index: int, wall: int) -> Vec2:
 	match wall:
 		LEFT_WALL:
-			return x - _left_x
+			return Vec2.new(_left_x, _y[index])
 		RIGHT_WALL:
-			return _right_x - x
+			return Vec2.new(_right_x, _y[index])
 		TOP_WALL:
-			return y - _top_y
-	return _bottom_y - y
+			return Vec2.new(_x[index], _top_y)
+	return Vec2.new(_x[index], _bottom_y)
 
 
 # At rest for good, until something else touches it.

@@ -72,6 +72,15 @@ func share_of(place: int, x: float, y: float) -> float:
 	return (along_x * to_x + along_y * to_y) / (along_x * along_x + along_y * along_y)
 
 
+## The point of the segment at that place that is nearest to a point.
+func nearest_point(place: int, x: float, y: float) -> Vec2:
+	var share := clampf(share_of(place, x, y), 0.0, 1.0)
+	return Vec2.new(
+		_start_x[place] + (_end_x[place] - _start_x[place]) * share,
+		_start_y[place] + (_end_y[place] - _start_y[place]) * share
+	)
+
+
 ## Distance in pixels of a point from the line of the segment at that place, positive on the side of
 ## its normal.
 func signed_distance(place: int, x: float, y: float) -> float:

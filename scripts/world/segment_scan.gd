@@ -133,14 +133,15 @@ func _try_accelerated(place: int) -> void:
 		approach = -approach
 		pull = -pull
 	var gap := distance - _radius * _length[place]
+	# What touches is asked first, so that the order of the segments makes no difference.
+	var touches := gap <= _slack * _length[place]
 	# The pull counts in full only if it helps; a limit without end is no help.
-	if gap > 0.0 and time < INF and gap > (approach + 0.5 * maxf(pull, 0.0) * time) * time:
+	if not touches and gap > (approach + 0.5 * maxf(pull, 0.0) * time) * time and time < INF:
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
-	if gap <= _slack * _length[place]:
-		if _lies_on(place, gap, approach, pull):
-			return
+	if touches and _lies_on(place, gap, approach, pull):
+		return
 	if _accelerated.with_segment(start_x, start_y, _end_x[place], _end_y[place], time):
 		_take(place, _accelerated.time, _accelerated.feature)
 

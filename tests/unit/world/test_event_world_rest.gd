@@ -98,6 +98,28 @@ func test_balls_that_lose_all_speed_do_not_meet_without_end() -> void:
 	assert_lt(EventWorlds.deepest_overlap(world), 1e-9)
 
 
+func test_a_ball_comes_to_rest_on_a_line_and_a_round_end() -> void:
+	var lines: Array[Vector4] = [Vector4(-200, -100, 0, 0), Vector4(12, -15, 200, -15)]
+	var world := _falling(lines, [_ball(-60, -60, 0, 0)], 0.3)
+	world.advance(30.0)
+	assert_eq(world.next_event_time(), INF)
+	assert_eq([world.velocity(0).x, world.velocity(0).y], [0.0, 0.0])
+	assert_almost_eq(world.position(0).distance_to(Vec2.new(12, -15)), 10.0, 1e-6)
+
+
+func test_a_light_ball_squeezed_into_a_corner_by_a_heavy_one_is_let_go() -> void:
+	var lines: Array[Vector4] = [Vector4(100, -90, 100, 90), Vector4(-90, 90, 100, 90)]
+	for trial: int in 20:
+		var light := Ball.new(Vec2.new(89, 79), 10.0)
+		var aim := Vec2.unit_degrees(40.0 + 0.5 * trial)
+		var start := light.position.minus(aim.scaled(60.0))
+		var heavy := Ball.new(start, 20.0, aim.scaled(120.0), 1e4)
+		var world := EventWorlds.world(lines, [light, heavy], Vec2.new(), 0.5)
+		world.most_impacts_per_second = 5000
+		assert_eq(world.advance(2.0), "", "trial %d" % trial)
+		assert_lt(EventWorlds.deepest_overlap(world), 1e-9)
+
+
 func test_a_centre_on_a_line_is_stopped_once() -> void:
 	var world := EventWorlds.world([Vector4(-90, 0, 90, 0)], [_ball(3, 0, 7, 8)])
 	world.advance(2.0)
