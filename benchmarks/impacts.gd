@@ -59,8 +59,8 @@ func _run_of(case: String) -> float:
 	var by := n[10]
 	_hits = 0
 	var start := Time.get_ticks_usec()
-	for call: int in CALLS_PER_RUN:
-		_solver.set_flight(n[0] + call * 1e-4, n[1], n[2], n[3], n[4], n[5], n[6])
+	for number: int in CALLS_PER_RUN:
+		_solver.set_flight(n[0] + number * 1e-4, n[1], n[2], n[3], n[4], n[5], n[6])
 		if _solver.with_segment(ax, ay, bx, by, HORIZON):
 			_hits += 1
 	return (Time.get_ticks_usec() - start) / float(CALLS_PER_RUN)
@@ -71,8 +71,8 @@ func _empty_run() -> float:
 	var n := PackedFloat64Array(CASES["hits the line"])
 	_hits = 0
 	var start := Time.get_ticks_usec()
-	for call: int in CALLS_PER_RUN:
-		_solver.set_flight(n[0] + call * 1e-4, n[1], n[2], n[3], n[4], n[5], n[6])
+	for number: int in CALLS_PER_RUN:
+		_solver.set_flight(n[0] + number * 1e-4, n[1], n[2], n[3], n[4], n[5], n[6])
 		if n.is_empty():
 			_hits += 1
 	return (Time.get_ticks_usec() - start) / float(CALLS_PER_RUN)

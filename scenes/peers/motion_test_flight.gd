@@ -33,20 +33,20 @@ func _fly(count: int) -> void:
 	var velocity := _velocity
 	var place := _place
 	var parameters := PhysicsTestMotionParameters2D.new()
-	var result := PhysicsTestMotionResult2D.new()
+	var met := PhysicsTestMotionResult2D.new()
 	var start := Time.get_ticks_usec()
 	for i in count:
 		var motion := velocity * step_seconds
 		for contact in PeerSpace.MOST_CONTACTS:
 			parameters.from = Transform2D(0.0, place)
 			parameters.motion = motion
-			var is_hit := PhysicsServer2D.body_test_motion(body, parameters, result)
-			place += result.get_travel()
+			var is_hit := PhysicsServer2D.body_test_motion(body, parameters, met)
+			place += met.get_travel()
 			if not is_hit:
 				break
-			var normal := result.get_collision_normal()
+			var normal := met.get_collision_normal()
 			velocity = velocity.bounce(normal)
-			motion = result.get_remainder().bounce(normal)
+			motion = met.get_remainder().bounce(normal)
 		_x = place.x
 		_y = place.y
 	_spent = Time.get_ticks_usec() - start

@@ -19,13 +19,12 @@ func _calls(rounds: int) -> void:
 			_engine_vectors[pair].dot(_engine_vectors[pair + 1].normalized())
 
 
-@warning_ignore("unused_variable")
-
-
 func _no_calls(rounds: int) -> void:
 	for i in rounds:
 		for pair in _starts:
+			@warning_ignore("unused_variable")
 			var a := _engine_vectors[pair]
+			@warning_ignore("unused_variable")
 			var b := _engine_vectors[pair + 1]
 
 

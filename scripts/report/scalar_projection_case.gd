@@ -39,14 +39,14 @@ func run_once() -> void:
 ## What the function returns.
 @abstract func _value(a: Vec2, b: Vec2) -> float
 
+
 # The same loop with the vectors fetched, and nothing done with them.
-@warning_ignore("unused_variable")
-
-
 func _no_calls(rounds: int) -> void:
 	for i in rounds:
 		for pair in _starts:
+			@warning_ignore("unused_variable")
 			var a := _vectors[pair]
+			@warning_ignore("unused_variable")
 			var b := _vectors[pair + 1]
 
 

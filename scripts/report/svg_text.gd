@@ -25,8 +25,8 @@ static func hex(color: Color) -> String:
 
 
 ## What SVG may not take as its own: & < > and quotes.
-static func escaped(text: String) -> String:
-	return text.xml_escape(true)
+static func escaped(words: String) -> String:
+	return words.xml_escape(true)
 
 
 ## A straight line.

@@ -174,11 +174,10 @@ func _time_to_border(line: int, from: float, velocity: float, pull: float) -> fl
 
 
 func _find_neighbors() -> void:
-	neighbors.resize(9 * first.size())
-	for place in first.size():
-		var row := place / _columns
-		var column := place % _columns
-		for around in 9:
-			var other_row := posmod(row + around / 3 - 1, _columns)
-			var other_column := posmod(column + around % 3 - 1, _columns)
-			neighbors[9 * place + around] = other_row * _columns + other_column
+	neighbors.clear()
+	for row in _columns:
+		for column in _columns:
+			for down: int in [-1, 0, 1]:
+				for across: int in [-1, 0, 1]:
+					var other_row := posmod(row + down, _columns)
+					neighbors.append(other_row * _columns + posmod(column + across, _columns))

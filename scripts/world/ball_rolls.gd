@@ -88,7 +88,7 @@ func _piece_seconds(index: int) -> float:
 	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	var speed := sqrt(_squared_speed(index))
 	var seconds := 0.0
-	for round in 2:
+	for estimate in 2:
 		var turning := (speed + gravity * seconds) / _radius[index]
 		var jerk := (3.0 * gravity + _radius[index] * turning * turning) * turning
 		seconds = pow(40.0 * OFF_CIRCLE / maxf(jerk, gravity * OFF_CIRCLE), 1.0 / 3.0)

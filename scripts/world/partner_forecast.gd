@@ -17,6 +17,8 @@ const _JUST_CLEAR := 1.0 - 1.0 / 2.0 ** 46
 
 # The nine cells around a ball, as places in [member BallCells.neighbors].
 var _all_neighbors: PackedInt32Array = [0, 1, 2, 3, 4, 5, 6, 7, 8]
+var _gravity_x := 0.0
+var _gravity_y := 0.0
 var _queue := EventQueue.new()
 var _cells := BallCells.new()
 var _uses_cells := false

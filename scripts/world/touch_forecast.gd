@@ -10,8 +10,6 @@ enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 ## end of what supports it, or has followed a piece of a round cap.
 enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
 
-var _gravity_x := 0.0
-var _gravity_y := 0.0
 var _has_walls := false
 var _left_x := 0.0
 var _top_y := 0.0
@@ -38,7 +36,7 @@ var _accelerated := AcceleratedImpact.new()
 # What the search under a pull has found so far.
 var _seconds := INF
 var _surface := NOTHING
-var _kind := TOUCH
+var _kind: int = TOUCH
 # The normal of a surface, towards a ball.
 var _normal_x := 0.0
 var _normal_y := 0.0
@@ -144,7 +142,7 @@ func _take(seconds: float, surface: int, kind: int) -> void:
 func _forecast_wall(index: int, wall: int) -> void:
 	var radius := _radius[index]
 	var height := 0.0
-	var velocity := _velocity_x[index]
+	var speed := _velocity_x[index]
 	var pull := _pull_x[index]
 	match wall:
 		LEFT_WALL:
@@ -156,17 +154,17 @@ func _forecast_wall(index: int, wall: int) -> void:
 		BOTTOM_WALL:
 			height = _bottom_y - radius - _y[index]
 	if wall == TOP_WALL or wall == BOTTOM_WALL:
-		velocity = _velocity_y[index]
+		speed = _velocity_y[index]
 		pull = _pull_y[index]
 	if wall == RIGHT_WALL or wall == BOTTOM_WALL:
-		velocity = -velocity
+		speed = -speed
 		pull = -pull
 	if wall == _support[index]:
 		return
 	if wall == _left_surface[index]:
 		height = 0.0
-		velocity = _left_speed[index]
-	var seconds := FreeFlight.time_to_fall(height, velocity, pull)
+		speed = _left_speed[index]
+	var seconds := FreeFlight.time_to_fall(height, speed, pull)
 	if seconds < _seconds:
 		_take(seconds, wall, TOUCH)
 
@@ -214,10 +212,10 @@ func _forecast_slide(index: int, place: int) -> void:
 	var along_x := _segments.normal_y(place)
 	var along_y := -_segments.normal_x(place)
 	var from_start := _segments.share_of(place, _x[index], _y[index]) * length
-	var velocity := _velocity_x[index] * along_x + _velocity_y[index] * along_y
+	var speed := _velocity_x[index] * along_x + _velocity_y[index] * along_y
 	var pull := _pull_x[index] * along_x + _pull_y[index] * along_y
-	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), velocity, pull)
-	var to_end := FreeFlight.time_to_fall(maxf(length - from_start, 0.0), -velocity, -pull)
+	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), speed, pull)
+	var to_end := FreeFlight.time_to_fall(maxf(length - from_start, 0.0), -speed, -pull)
 	if minf(to_start, to_end) < _seconds:
 		_touched_feature[index] = (
 			Impact.Feature.START if to_start < to_end else Impact.Feature.END

@@ -15,6 +15,7 @@ func test_a_free_flight_is_right_by_every_method_at_every_rate() -> void:
 	for rate: int in [60, 240]:
 		var shot := BoxShot.new(300.0, 0.1)
 		for case in ShotPeers.moved(self, shot, rate) + ShotPeers.rigid(self, shot, rate, false):
+			@warning_ignore("redundant_await")
 			await case.run_once()
 			case.finish()
 			assert_lt(case.error, 1e-3, "%s, %s" % [case.method, case.tuning])
@@ -24,6 +25,7 @@ func test_a_free_flight_is_right_by_every_method_at_every_rate() -> void:
 func test_a_few_bounces_end_about_where_they_should() -> void:
 	var shot := BoxShot.new(300.0, 2.0)
 	for case in ShotPeers.moved(self, shot, 240):
+		@warning_ignore("redundant_await")
 		await case.run_once()
 		assert_lt(case.error, 1.0, case.method)
 

@@ -44,20 +44,20 @@ static func gas(count: int, seed_number: int, mixed: bool = false) -> EventWorld
 
 
 ## The deepest overlap of two balls of the world, in pixels; negative where none touch.
-static func deepest_overlap(world: EventWorld) -> float:
+static func deepest_overlap(made: EventWorld) -> float:
 	var deepest := -INF
-	for one: int in world.ball_count():
-		var ball := world.ball(one)
+	for one: int in made.ball_count():
+		var ball := made.ball(one)
 		for other: int in one:
-			var reach := ball.radius + world.ball(other).radius
-			deepest = maxf(deepest, reach - ball.position.distance_to(world.position(other)))
+			var reach := ball.radius + made.ball(other).radius
+			deepest = maxf(deepest, reach - ball.position.distance_to(made.position(other)))
 	return deepest
 
 
 ## Place and velocity of all balls, for comparisons to the last bit.
-static func numbers(world: EventWorld) -> PackedFloat64Array:
+static func numbers(made: EventWorld) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
-	for index: int in world.ball_count():
-		var ball := world.ball(index)
+	for index: int in made.ball_count():
+		var ball := made.ball(index)
 		found.append_array([ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y])
 	return found
