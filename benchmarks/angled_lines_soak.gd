@@ -4,14 +4,15 @@ extends SceneTree
 ##
 ## Run with: godot --headless --path . -s benchmarks/angled_lines_soak.gd
 ## [br][br]
-## Every way of moving has its share of the time. Ends with exit code 1 where a ball was lost, a
-## number is not finite, or objects or nodes have come to be that stay.
+## Every way of moving has its share of the time. Ends with exit code 1 where a number is not
+## finite, a node has come to be that stays, or a ball was lost by a way that must not lose any:
+## position reset does not see a ball that flies over a line within one frame, and shows that.
 
 const MINUTES := 10.0
 const SPEED := 8.0
 const FIFTY_BALLS := "8"
-# The board is settled, and what is made once has been made.
-const WARM_UP := 120
+# Seconds of the lesson until all is made that stays: the past that a step back needs is full.
+const WARM_UP := 20.0
 
 
 func _init() -> void:
@@ -39,20 +40,18 @@ func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
 	model.set_method(method)
 	Engine.time_scale = SPEED
 	transport.is_playing = true
-	await _pass_frames(WARM_UP)
+	await _play_until(model, model.elapsed_seconds() + WARM_UP)
 	var objects := Performance.get_monitor(Performance.OBJECT_COUNT)
 	var nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
 	var begun := model.elapsed_seconds()
 	var clock := Time.get_ticks_msec()
 	var wanted := MINUTES * 60.0 / SteppedWorld.Method.size()
-	while model.elapsed_seconds() - begun < wanted:
-		await process_frame
+	await _play_until(model, begun + wanted)
 	var speed := wanted * 1000.0 / (Time.get_ticks_msec() - clock)
-	transport.is_playing = false
-	Engine.time_scale = 1.0
-	await _pass_frames(WARM_UP)
 	var more_objects := Performance.get_monitor(Performance.OBJECT_COUNT) - objects
 	var more_nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT) - nodes
+	transport.is_playing = false
+	Engine.time_scale = 1.0
 	var not_finite := 0
 	for ball: Ball in model.world.balls:
 		not_finite += int(not (ball.position.is_finite() and ball.velocity.is_finite()))
@@ -72,9 +71,10 @@ func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
 			% texts
 		)
 	)
-	return model.world.losses == 0 and not_finite == 0 and more_nodes == 0
+	var may_lose := method == SteppedWorld.Method.POSITION_RESET
+	return (model.world.losses == 0 or may_lose) and not_finite == 0 and more_nodes <= 0
 
 
-func _pass_frames(count: int) -> void:
-	for index: int in count:
+func _play_until(model: AngledLinesModel, seconds: float) -> void:
+	while model.elapsed_seconds() < seconds:
 		await process_frame

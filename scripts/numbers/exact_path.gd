@@ -34,9 +34,9 @@ func start(ball: Ball, segments: Array[LineSegment]) -> String:
 	_segments.assign(segments.map(func(segment: LineSegment) -> LineSegment: return segment.copy()))
 	flights.clear()
 	time = 0.0
-	var position := ExactVector.from_vec2(ball.position)
-	var velocity := ExactVector.from_vec2(ball.velocity)
-	_begin_flight(ExactFlight.new(DoubleDouble.from_float(0.0), position, velocity, -1))
+	var place := ExactVector.from_vec2(ball.position)
+	var speed := ExactVector.from_vec2(ball.velocity)
+	_begin_flight(ExactFlight.new(DoubleDouble.from_float(0.0), place, speed, -1))
 	return ""
 
 

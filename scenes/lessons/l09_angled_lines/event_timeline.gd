@@ -1,7 +1,8 @@
 class_name EventTimeline
 extends RefCounted
 ## The balls of the lesson in event worlds, so that any moment can be gone to, back and forth: what
-## is to come is known, and what has been is kept once a second.
+## is to come is known, and what has been is found again from a moment that is kept for each
+## stretch of time shown.
 ##
 ## Each ball has a world of its own, because in this lesson balls do not touch each other. Times are
 ## in seconds since the timeline was begun.
@@ -17,7 +18,7 @@ var time := 0.0
 var _world: SteppedWorld
 # null for a ball that was lost when the timeline began.
 var _worlds: Array[EventWorld] = []
-# For each ball, what it was like after 0, 1, 2... seconds.
+# For each ball, what it was like at the beginning of each stretch of SPAN seconds.
 var _snapshots: Array[Array] = []
 var _first_frames := 0
 var _first_bounces := 0
@@ -105,12 +106,12 @@ func _bring(index: int, seconds: float) -> String:
 	var world := _worlds[index]
 	var kept := _snapshots[index]
 	if seconds < world.time:
-		var place := mini(floori(seconds), kept.size() - 1)
+		var place := mini(floori(seconds / SPAN), kept.size() - 1)
 		var snapshot: WorldSnapshot = kept[place]
 		world.restore(snapshot)
 	world.events.clear()
-	while kept.size() <= seconds:
-		var problem := world.advance_to(kept.size())
+	while kept.size() * SPAN <= seconds:
+		var problem := world.advance_to(kept.size() * SPAN)
 		if problem:
 			return problem
 		kept.append(world.snapshot())

@@ -106,7 +106,7 @@ func test_a_contact_at_the_very_end_of_the_frame_counts() -> void:
 	assert_eq(impact.time, 1.0)
 
 
-func test_a_touching_ball_that_hardly_moves_has_a_finite_time() -> void:
+func test_a_touching_ball_that_hardly_moves_touches_now() -> void:
 	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
 	var impact := PointOfImpact.with_line(Vec2.new(0, -10), Vec2.new(0, 1e-20), 10.0, floor_line)
 	assert_true(impact.hit)
