@@ -55,14 +55,9 @@ func test_no_situation_of_a_lesson_brings_english_back() -> void:
 	_speak_another_language()
 	for lesson: LessonInfo in LessonIndex.lessons():
 		await open_lesson(lesson)
-		for button: Control in Screen.controls(frame().get_node("%Services")):
-			if (
-				button is Button
-				and button is not OptionButton
-				and button.get_parent() is HFlowContainer
-			):
-				await student.click(button)
-				_assert_nothing_in_english("%s after %s" % [lesson.id, (button as Button).text])
+		for button: Button in _buttons_of_situations():
+			await student.click(button)
+			_assert_nothing_in_english("%s after %s" % [lesson.id, button.text])
 		screen().free()
 
 
@@ -75,6 +70,16 @@ func test_a_file_in_gettexts_form_is_read_as_a_language() -> void:
 	var language := load(path) as Translation
 	DirAccess.remove_absolute(path)
 	assert_eq(str(language.get_message("Undo")), "Malfari")
+
+
+# Found before the first is clicked: what else is in the panel may be gone after it.
+func _buttons_of_situations() -> Array[Button]:
+	var found: Array[Button] = []
+	for control: Control in Screen.controls(frame().get_node("%Services")):
+		var is_button := control is Button and control is not OptionButton
+		if is_button and control.get_parent() is HFlowContainer:
+			found.append(control as Button)
+	return found
 
 
 # A language in which every known text stands between brackets.
