@@ -12,6 +12,8 @@ const LONG := 100.0
 const EVENT_WORLD := "event world"
 ## The same with a loop that follows the flights by itself.
 const FOLLOWED := "event world, flights followed"
+## The same in one call for the whole flight.
+const ONE_CALL := "event world, one call"
 
 
 func _init() -> void:
@@ -28,6 +30,7 @@ func _init() -> void:
 func cases(is_quick: bool) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for shot in shots():
+		found.append(OneCallFlight.new(ONE_CALL, shot))
 		for rate in rates(shot, is_quick):
 			found.append(EventFlight.new(EventFlight.Form.WALLS, EVENT_WORLD, shot, rate))
 			found.append(FollowedFlight.new(EventFlight.Form.WALLS, FOLLOWED, shot, rate))

@@ -49,6 +49,8 @@ const _NAMES: PackedStringArray = [
 	"event world, grid",
 	"event world, scan",
 	"event world, flights followed",
+	"event world, one call",
+	"one call",
 	"%s segments",
 	"%s balls",
 	"explicit Euler",

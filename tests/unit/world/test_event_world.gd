@@ -219,6 +219,17 @@ func test_a_place_within_a_flight_is_told_without_moving_anything() -> void:
 	assert_vec2(world.position(0), Vec2.new(5, 0), 0.0)
 
 
+func test_all_places_at_once_are_those_of_each_ball() -> void:
+	var world := EventWorlds.gas(20, 8)
+	world.set_gravity(Vec2.new(30, 200))
+	world.advance(0.3)
+	var places := world.positions()
+	assert_eq(places.size(), 40)
+	for index: int in 20:
+		var place := Vec2.new(places[2 * index], places[2 * index + 1])
+		assert_vec2(place, world.position(index), 0.0)
+
+
 func test_a_ball_squeezed_between_two_walls_is_told_instead_of_hanging() -> void:
 	var world := EventWorld.new()
 	world.set_walls(Vec2.zero(), Vec2.new(20.0 + 1e-12, 100))
