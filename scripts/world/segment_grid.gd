@@ -60,6 +60,8 @@ func first_accelerated_impact(
 
 
 # Goes along the straight flight from cell to cell until an impact lies before the next border.
+# The numbers of the cells, and how many are left in each direction, are counted on and not worked
+# out anew: a prediction passes some six cells.
 func _walk() -> void:
 	_entered = 0.0
 	_left = time
@@ -67,43 +69,54 @@ func _walk() -> void:
 		return
 	if not _is_between(_low_y, _low_y + _rows * _cell, _y, _velocity_y):
 		return
-	var entered := _entered
-	var left := _left
-	var column := clampi(floori((_x + _velocity_x * entered - _low_x) / _cell), 0, _columns - 1)
-	var row := clampi(floori((_y + _velocity_y * entered - _low_y) / _cell), 0, _rows - 1)
-	var column_step := 1 if _velocity_x > 0.0 else -1
-	var row_step := 1 if _velocity_y > 0.0 else -1
+	var column := clampi(floori((_x + _velocity_x * _entered - _low_x) / _cell), 0, _columns - 1)
+	var row := clampi(floori((_y + _velocity_y * _entered - _low_y) / _cell), 0, _rows - 1)
+	var cell := row * _columns + column
 	# Seconds until the next border is crossed, and from one border to the next.
 	var next_x := INF
 	var next_y := INF
 	var between_x := INF
 	var between_y := INF
-	if _velocity_x != 0.0:
-		var border := _low_x + (column + (1 if column_step > 0 else 0)) * _cell
-		next_x = (border - _x) / _velocity_x
-		between_x = _cell / absf(_velocity_x)
-	if _velocity_y != 0.0:
-		var border := _low_y + (row + (1 if row_step > 0 else 0)) * _cell
-		next_y = (border - _y) / _velocity_y
-		between_y = _cell / absf(_velocity_y)
+	var step_x := 1
+	var step_y := _columns
+	var columns_left := _columns - 1 - column
+	var rows_left := _rows - 1 - row
+	if _velocity_x > 0.0:
+		next_x = (_low_x + (column + 1) * _cell - _x) / _velocity_x
+		between_x = _cell / _velocity_x
+	elif _velocity_x < 0.0:
+		next_x = (_low_x + column * _cell - _x) / _velocity_x
+		between_x = -_cell / _velocity_x
+		step_x = -1
+		columns_left = column
+	if _velocity_y > 0.0:
+		next_y = (_low_y + (row + 1) * _cell - _y) / _velocity_y
+		between_y = _cell / _velocity_y
+	elif _velocity_y < 0.0:
+		next_y = (_low_y + row * _cell - _y) / _velocity_y
+		between_y = -_cell / _velocity_y
+		step_y = -_columns
+		rows_left = row
 	while true:
-		var entry := _first_entry[row * _columns + column]
+		var entry := _first_entry[cell]
 		while entry >= 0:
 			var place := _entry_segment[entry]
 			if _tried[place] != _question:
 				_tried[place] = _question
 				_try(place)
 			entry = _entry_next[entry]
-		if minf(next_x, next_y) >= minf(time, left):
-			return
 		if next_x < next_y:
-			column += column_step
+			if next_x >= time or columns_left == 0:
+				return
+			columns_left -= 1
+			cell += step_x
 			next_x += between_x
 		else:
-			row += row_step
+			if next_y >= time or rows_left == 0:
+				return
+			rows_left -= 1
+			cell += step_y
 			next_y += between_y
-		if column < 0 or column >= _columns or row < 0 or row >= _rows:
-			return
 
 
 # Narrows the stretch of time in which the flight is in the grid to the one in which a coordinate is

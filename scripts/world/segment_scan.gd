@@ -3,9 +3,9 @@ extends SegmentList
 ## The first of many segments that a flying ball meets, found by looking at all. [SegmentGrid] finds
 ## the same impact by looking at those near the path.
 ##
-## The answer is what [StraightImpact] and [AcceleratedImpact] say of each segment; most are put
-## aside before by a few plain operations, which stand here once more because every prediction of
-## an [EventWorld] runs through them.
+## The answer is what [StraightImpact] and [AcceleratedImpact] say of each segment. The steps of the
+## first stand here once more, and most segments are put aside by a few of them, because every
+## prediction of an [EventWorld] runs through this.
 
 ## A ball that is no farther than this from touching a line or an end, in pixels, touches it: so far
 ## rounding may take it.
@@ -30,6 +30,8 @@ var _pull_x := 0.0
 var _pull_y := 0.0
 var _radius := 0.0
 var _skipped := -1
+# The radius times the speed, squared, and a little more.
+var _reach_squared := 0.0
 var _slack := TOUCH
 var _straight := StraightImpact.new()
 var _accelerated := AcceleratedImpact.new()
@@ -86,6 +88,9 @@ func _ask(
 	_velocity_y = velocity_y
 	_radius = radius
 	_skipped = skipped
+	_reach_squared = (
+		1.000001 * radius * radius * (velocity_x * velocity_x + velocity_y * velocity_y)
+	)
 	time = horizon
 	index = -1
 
@@ -110,14 +115,50 @@ func _try(place: int) -> void:
 		distance = -distance
 		approach = -approach
 	var gap := distance - _radius * _length[place]
-	if gap > 0.0 and gap > approach * time:
+	if gap > 0.0 and (gap > approach * time or approach <= 0.0):
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
+	if gap <= 0.0:
+		_try_from_near(place)
+		return
+	# Where along the line it is met; beyond an end only that end can be met.
+	var seconds := gap / approach
+	var along := (
+		along_x * (_x - start_x)
+		+ along_y * (_y - start_y)
+		+ (along_x * _velocity_x + along_y * _velocity_y) * seconds
+	)
+	if along < 0.0:
+		_try_end(place, start_x, start_y, Impact.Feature.START)
+	elif along > along_x * along_x + along_y * along_y:
+		_try_end(place, _end_x[place], _end_y[place], Impact.Feature.END)
+	else:
+		_take(place, seconds, Impact.Feature.LINE)
+
+
+# The ball starts closer to the line than its radius.
+func _try_from_near(place: int) -> void:
 	if _straight.with_segment(
-		_x, _y, _velocity_x, _velocity_y, _radius, start_x, start_y, _end_x[place], _end_y[place]
+		_x,
+		_y,
+		_velocity_x,
+		_velocity_y,
+		_radius,
+		_start_x[place],
+		_start_y[place],
+		_end_x[place],
+		_end_y[place]
 	):
 		_take(place, _straight.time, _straight.feature)
+
+
+# Most ends are passed by far: that is asked first.
+func _try_end(place: int, x: float, y: float, end: Impact.Feature) -> void:
+	var offset := (_x - x) * _velocity_y - (_y - y) * _velocity_x
+	if offset * offset <= _reach_squared:
+		if _straight.with_point(_x, _y, _velocity_x, _velocity_y, _radius, x, y):
+			_take(place, _straight.time, end)
 
 
 func _try_accelerated(place: int) -> void:
