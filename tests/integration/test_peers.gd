@@ -7,8 +7,8 @@ const TOLERANCE := 0.1
 
 func after_each() -> void:
 	assert_eq(Engine.physics_ticks_per_second, 60, "the rate is set back")
-	for child in get_children():
-		assert_false(child is PeerSpace, "nothing is left in the tree")
+	var spaces := get_children().filter(func(child: Node) -> bool: return child is PeerSpace)
+	assert_eq(spaces, [], "nothing is left in the tree")
 
 
 func test_a_free_flight_is_right_by_every_method_at_every_rate() -> void:
