@@ -61,7 +61,7 @@ func _bounce_off_line(index: int, place: int) -> void:
 
 # The short way for the commonest event, a ball in straight flight and a wall: what [method _bounce]
 # and [method _forecast] do, with all calls written out, because a lone ball does nothing else. A
-# test compares both ways to the last bit.
+# test compares both ways.
 func _bounce_off_wall(index: int) -> void:
 	impacts += 1
 	var flown := (time - _start[index]) + (_time_low - _start_low[index])
