@@ -28,6 +28,7 @@ var _problem := ""
 
 
 func start() -> void:
+	(%Grid as Grid).take(_lines)
 	snap_step = _SNAP_STEP
 	var formula := services[&"formula"] as Formula
 	_formula = AngledLinesFormula.new(formula)

@@ -6,6 +6,8 @@ extends BoardPart
 # Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
 const _MOST_PLACES := 2000
 const _LONGEST := 1800
+# More trails than this are drawn as hairlines: so many cross each other anyway.
+const _MOST_BROAD := 20
 # From the end of a trail to where it cannot be seen any more, in pixels of the plane.
 const _SEAM := Vector2(0.01, 0.0)
 
@@ -68,8 +70,23 @@ func _shorten() -> void:
 
 func _draw() -> void:
 	var scale_now := board.pixels_per_unit
-	var origin := board.to_screen(Vec2.new())
-	draw_set_transform(origin, 0.0, Vector2(scale_now, scale_now))
+	draw_set_transform(board.to_screen(Vec2.new()), 0.0, Vector2(scale_now, scale_now))
+	if _trails.size() > _MOST_BROAD:
+		_draw_hairlines()
+	else:
+		_draw_broad(1.5 / scale_now)
+
+
+# One pixel wide at any scale, and the cheapest line there is.
+func _draw_hairlines() -> void:
+	for trail in _trails:
+		if trail.size() > 1:
+			draw_polyline(trail, _color())
+
+
+# All trails are one polyline, because each call of its own costs as much as a long trail: from the
+# end of one to the start of the next it cannot be seen.
+func _draw_broad(width: float) -> void:
 	var points: PackedVector2Array = []
 	var seams: PackedInt32Array = []
 	for trail in _trails:
@@ -80,16 +97,17 @@ func _draw() -> void:
 			seams.append(points.size())
 			points.append(trail[-1] + _SEAM)
 	if points:
-		draw_polyline_colors(points, _colors_of(points.size(), seams), 1.5 / scale_now)
+		draw_polyline_colors(points, _colors_of(points.size(), seams), width)
 
 
-# All trails are one polyline, because each call of its own costs as much as a long trail: from the
-# end of one to the start of the next it cannot be seen.
 func _colors_of(count: int, seams: PackedInt32Array) -> PackedColorArray:
-	var color := Color(Palette.color(role), 0.55)
 	var colors: PackedColorArray = []
 	colors.resize(count)
-	colors.fill(color)
+	colors.fill(_color())
 	for seam in seams:
-		colors[seam] = Color(color, 0.0)
+		colors[seam] = Color(_color(), 0.0)
 	return colors
+
+
+func _color() -> Color:
+	return Color(Palette.color(role), 0.55)

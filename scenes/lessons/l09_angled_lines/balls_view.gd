@@ -12,6 +12,8 @@ extends BoardPart
 var meter: FrameMeter
 
 var _world: SteppedWorld
+# A disc for each radius in pixels.
+var _discs: Dictionary[float, Texture2D] = {}
 
 
 ## Shows the balls of [param world] where they are now; null for none.
@@ -40,7 +42,13 @@ func _draw_ball(middle: Vector2, pixels: float, color: Color) -> void:
 		draw_line(middle - arm, middle + arm, color, 2.0)
 		draw_line(middle + Vector2(arm.x, -arm.y), middle + Vector2(-arm.x, arm.y), color, 2.0)
 	else:
-		# The rim lies inside the ball, so that its edge is where the ball ends.
-		var radius := maxf(pixels - DotTexture.RIM / 2.0, 1.0)
-		var disc := DotTexture.of(color.lerp(Palette.PAPER, 0.7), color, snappedf(radius, 0.25))
+		var disc := _disc(pixels, color)
 		draw_texture(disc, middle - disc.get_size() / 2.0)
+
+
+# The rim lies inside the ball, so that its edge is where the ball ends.
+func _disc(pixels: float, color: Color) -> Texture2D:
+	var radius := snappedf(maxf(pixels - DotTexture.RIM / 2.0, 1.0), 0.25)
+	if not _discs.has(radius):
+		_discs[radius] = DotTexture.of(color.lerp(Palette.PAPER, 0.7), color, radius)
+	return _discs[radius]

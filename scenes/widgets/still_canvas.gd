@@ -1,0 +1,65 @@
+class_name StillCanvas
+extends SubViewport
+## A picture of what stands still: drawn once, and again only when something in it changes.
+##
+## Without a graphics card every pixel that is mixed and every letter costs time in every frame. The
+## picture is put on the screen as it is, pixel for pixel, which is the cheapest drawing there is.
+
+# The picture hides what is below it; mixing the two would cost as much again.
+const _OPAQUE := "shader_type canvas_item; render_mode unshaded, blend_disabled;"
+
+
+func _init() -> void:
+	disable_3d = true
+	size_2d_override_stretch = true
+	render_target_update_mode = SubViewport.UPDATE_DISABLED
+
+
+## Prepares [param item], which shows the picture by [method draw_on]; not what lies on it.
+func prepare(item: CanvasItem) -> void:
+	var opaque := ShaderMaterial.new()
+	opaque.shader = Shader.new()
+	opaque.shader.code = _OPAQUE
+	item.material = opaque
+	# The node's own texture_filter would be inherited by what lies on it.
+	var nearest := RenderingServer.CANVAS_ITEM_TEXTURE_FILTER_NEAREST
+	RenderingServer.canvas_item_set_default_texture_filter(item.get_canvas_item(), nearest)
+
+
+## Makes the picture [param extent] large, with as many pixels as that has in the window: it is as
+## sharp as a drawing.
+func fit(extent: Vector2) -> void:
+	var window_scale := get_parent().get_viewport().get_screen_transform().get_scale()
+	size = (extent * window_scale).round().max(Vector2.ONE)
+	size_2d_override = extent.max(Vector2.ONE)
+	_draw_again()
+
+
+## Draws [param item] and all below it into the picture, in place of where it would be drawn. It
+## stays where it is in the tree, with its input, focus and tooltips.
+func take(item: CanvasItem) -> void:
+	RenderingServer.canvas_item_set_parent(item.get_canvas_item(), find_world_2d().canvas)
+	_watch(item)
+
+
+## Puts the picture on [param item], in its `_draw`.
+func draw_on(item: CanvasItem) -> void:
+	item.draw_texture_rect(get_texture(), Rect2(Vector2.ZERO, size_2d_override), false)
+
+
+# Whatever is seen of a node, or of one that comes below it later, tells of its changes.
+func _watch(node: Node) -> void:
+	var item := node as CanvasItem
+	if not item or item.draw.is_connected(_draw_again):
+		return
+	item.draw.connect(_draw_again)
+	item.item_rect_changed.connect(_draw_again)
+	item.visibility_changed.connect(_draw_again)
+	item.child_entered_tree.connect(_watch)
+	item.child_exiting_tree.connect(_draw_again.unbind(1))
+	for child in item.get_children(true):
+		_watch(child)
+
+
+func _draw_again() -> void:
+	render_target_update_mode = SubViewport.UPDATE_ONCE

@@ -1,0 +1,86 @@
+extends GutTest
+## A picture of what stands still: drawn again whenever something in it has changed, and only then.
+
+var _picture: StillPicture
+var _panel: ScrollContainer
+var _label: Label
+
+
+func before_each() -> void:
+	_picture = StillPicture.new()
+	_panel = ScrollContainer.new()
+	_panel.custom_minimum_size = Vector2(200.0, 40.0)
+	_label = Label.new()
+	_label.text = "one\ntwo\nthree\nfour"
+	_panel.add_child(_label)
+	_picture.add_child(_panel)
+	add_child_autofree(_picture)
+	await _settle()
+
+
+func test_nothing_is_drawn_again_while_nothing_changes() -> void:
+	assert_false(await _is_drawn_again())
+
+
+func test_another_text_is_drawn() -> void:
+	_label.text = "five"
+	assert_true(await _is_drawn_again())
+
+
+func test_what_is_hidden_and_shown_is_drawn() -> void:
+	_label.hide()
+	assert_true(await _is_drawn_again())
+	_label.show()
+	assert_true(await _is_drawn_again())
+
+
+func test_what_is_scrolled_is_drawn() -> void:
+	_panel.scroll_vertical = 20
+	assert_true(await _is_drawn_again())
+
+
+func test_what_comes_later_is_drawn_and_its_changes_too() -> void:
+	var late := VBoxContainer.new()
+	var late_label := Label.new()
+	late.add_child(late_label)
+	_picture.add_child(late)
+	assert_true(await _is_drawn_again())
+	late_label.text = "late"
+	assert_true(await _is_drawn_again())
+	late.queue_free()
+	assert_true(await _is_drawn_again())
+
+
+func test_what_comes_back_is_watched_once() -> void:
+	_panel.remove_child(_label)
+	_panel.add_child(_label)
+	await _settle()
+	assert_false(await _is_drawn_again())
+	_label.text = "back"
+	assert_true(await _is_drawn_again())
+
+
+func test_the_picture_is_as_large_as_what_it_shows() -> void:
+	_panel.custom_minimum_size = Vector2(300.0, 90.0)
+	await _settle()
+	assert_eq(_canvas().size_2d_override, Vector2i(_picture.size))
+	assert_gte(_picture.size.x, 300.0)
+
+
+func _canvas() -> StillCanvas:
+	for child in _picture.get_children(true):
+		if child is StillCanvas:
+			return child as StillCanvas
+	return null
+
+
+# A container needs a frame or two to place what is in it.
+func _settle() -> void:
+	for frame: int in 4:
+		await get_tree().process_frame
+
+
+func _is_drawn_again() -> bool:
+	_canvas().render_target_update_mode = SubViewport.UPDATE_DISABLED
+	await _settle()
+	return _canvas().render_target_update_mode == SubViewport.UPDATE_ONCE
