@@ -48,21 +48,26 @@ func resize(count: int) -> void:
 func change(index: int, time: float, low: float = 0.0) -> void:
 	times[index] = time
 	lows[index] = low
-	var place := (_capacity + index) >> 1
-	# Inlined, as every event of a world comes through here.
-	while place > 0:
-		var left := _winners[2 * place]
-		var right := _winners[2 * place + 1]
-		var left_time := times[left]
-		var right_time := times[right]
-		var winner := left if left_time < right_time else right
-		if left_time == right_time:
-			if lows[left] <= lows[right]:
-				winner = left
-		if winner == _winners[place] and winner != index:
+	# What _earlier does, written out, as every event of a world comes through here: on the way up
+	# the winner so far meets the winner from the other side.
+	var winner := index
+	var winner_time := time
+	var place := _capacity + index
+	while place > 1:
+		var rival := _winners[place ^ 1]
+		var rival_time := times[rival]
+		if rival_time < winner_time:
+			winner = rival
+			winner_time = rival_time
+		elif (
+			rival_time == winner_time
+			and rival == _earlier(mini(rival, winner), maxi(rival, winner))
+		):
+			winner = rival
+		place >>= 1
+		if winner != index and winner == _winners[place]:
 			break
 		_winners[place] = winner
-		place >>= 1
 	first = _winners[1]
 	first_time = times[first]
 	first_low = lows[first]
