@@ -3,9 +3,14 @@ extends PanelContainer
 ## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
 ## undo.
 
+## The student wants to leave. The way back is offered where something listens.
+signal left
+## A link to another lesson is to be opened.
+signal other_lesson_wanted(lesson: LessonInfo)
+
 const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 const _ACTIONS: Array[StringName] = [
-	&"lab_back", &"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"
+	&"lab_reset", &"lab_undo", &"lab_redo", &"lab_copy_link", &"ui_focus_next"
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
@@ -14,6 +19,9 @@ var lesson_info: LessonInfo
 
 ## The lesson inside.
 var lesson: Lesson
+
+## The link to its board.
+var link: BoardLink
 
 var _first_state: Dictionary
 var _last_state: Dictionary
@@ -33,8 +41,9 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 func _ready() -> void:
 	WindowFit.follow(get_window())
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
-	(%Back as Button).pressed.connect(_go_back)
+	_offer_way_back()
 	(%Reset as Button).pressed.connect(_reset)
+	(%CopyLink as Button).pressed.connect(_copy_link)
 	_undo.pressed.connect(_history.undo)
 	_redo.pressed.connect(_history.redo)
 	_history.version_changed.connect(_refresh_buttons)
@@ -43,6 +52,14 @@ func _ready() -> void:
 	_open()
 	_refresh_buttons()
 	_show_help(false)
+	PageText.tell_page(self, [%Title as Control, _board_place, _panel])
+
+
+## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone.
+func follow_link(text: String) -> void:
+	LessonRequest.ask(text)
+	_open_requested()
+	_store()
 
 
 func _exit_tree() -> void:
@@ -51,13 +68,15 @@ func _exit_tree() -> void:
 
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
-		_go_back()
+		left.emit()
 	elif event.is_action_pressed(&"lab_redo", false, true):
 		_history.redo()
 	elif event.is_action_pressed(&"lab_undo", false, true):
 		_history.undo()
 	elif event.is_action_pressed(&"lab_reset", false, true):
 		_reset()
+	elif event.is_action_pressed(&"lab_copy_link", false, true):
+		_copy_link()
 
 
 func _input(event: InputEvent) -> void:
@@ -81,7 +100,10 @@ func _open() -> void:
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
 	_first_state = lesson.state()
-	_last_state = _first_state
+	link = BoardLink.new(lesson_info.id, lesson)
+	_open_requested()
+	_last_state = lesson.state()
+	WebPage.follow_fragment(follow_link)
 
 
 func _add_service(need: String) -> Control:
@@ -127,8 +149,30 @@ func _reset() -> void:
 	_store()
 
 
-func _go_back() -> void:
-	Navigation.open_start_screen(get_tree())
+func _copy_link() -> void:
+	_show_notice(link.copy())
+
+
+# Opens what was asked for: a state of this lesson's board, or another lesson.
+func _open_requested() -> void:
+	var id := LessonRequest.take_id()
+	var other := LessonIndex.find(id)
+	if not id or id == lesson_info.id:
+		var problem := link.open(LessonRequest.take_state(lesson_info.id))
+		if problem:
+			_show_notice(problem)
+	elif other:
+		other_lesson_wanted.emit(other)
+	else:
+		_show_notice(LessonRequest.refusal(id))
+
+
+func _offer_way_back() -> void:
+	var back := %Back as Button
+	back.visible = left.has_connections()
+	back.pressed.connect(left.emit)
+	if back.visible:
+		_help_actions.push_front(&"lab_back")
 
 
 func _show_notice(message: String) -> void:
