@@ -6,7 +6,9 @@ extends PanelContainer
 ## The student wants to leave. The way back is offered where something listens.
 signal left
 
-const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+## The scene of a service, `%` the name in [member LessonInfo.needs].
+const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+
 const _ACTIONS: Array[StringName] = [&"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"]
 const _NO_ACTIONS: Array[StringName] = []
 
@@ -86,7 +88,7 @@ func _open() -> void:
 
 
 func _add_service(need: String) -> Control:
-	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
+	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
 	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
