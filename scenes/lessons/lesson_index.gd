@@ -18,15 +18,16 @@ const FOLDERS: PackedStringArray = [
 	"l12_error_and_time",
 ]
 
-const _LESSON := "res://scenes/lessons/%s/lesson.tres"
+## What a lesson is, `%` its folder.
+const LESSON_FILE := "res://scenes/lessons/%s/lesson.tres"
 
 
 ## All lessons in order, in a demo its only one; loads their cards' texts, not their scenes.
 static func lessons() -> Array[LessonInfo]:
 	var found: Array[LessonInfo] = []
 	for folder in FOLDERS:
-		if ResourceLoader.exists(_LESSON % folder):
-			found.append(load(_LESSON % folder) as LessonInfo)
+		if ResourceLoader.exists(LESSON_FILE % folder):
+			found.append(load(LESSON_FILE % folder) as LessonInfo)
 	return found
 
 

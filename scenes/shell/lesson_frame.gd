@@ -8,7 +8,9 @@ signal left
 ## A link to another lesson is to be opened.
 signal other_lesson_wanted(lesson: LessonInfo)
 
-const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+## The scene of a service, `%` the name in [member LessonInfo.needs].
+const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+
 const _ACTIONS: Array[StringName] = [
 	&"lab_reset", &"lab_undo", &"lab_redo", &"lab_copy_link", &"ui_focus_next"
 ]
@@ -107,7 +109,7 @@ func _open() -> void:
 
 
 func _add_service(need: String) -> Control:
-	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
+	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
 	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
