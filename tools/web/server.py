@@ -26,24 +26,23 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     """Files below one folder; the base class keeps paths with `..` inside it."""
 
     protocol_version = "HTTP/1.1"
+    encoding = None
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, **TYPES}
 
     def send_head(self):
-        path = self.translate_path(self.path)
-        encoding = self._encoding(path)
-        if encoding is None:
-            return super().send_head()
-        copy = open(path + COPIES[encoding], "rb")
-        self.send_response(http.HTTPStatus.OK)
-        self.send_header("Content-Type", self.guess_type(path))
-        self.send_header("Content-Encoding", encoding)
-        self.send_header("Content-Length", str(os.fstat(copy.fileno()).st_size))
-        self.send_header("Vary", "Accept-Encoding")
-        self.end_headers()
-        return copy
+        self.encoding = self._encoding()
+        if self.encoding:
+            self.path = self.path.partition("?")[0] + COPIES[self.encoding]
+        return super().send_head()
+
+    def guess_type(self, path):
+        return super().guess_type(path.removesuffix(COPIES.get(self.encoding, "")))
 
     def end_headers(self):
-        # A new export must be seen at once; unchanged files are still answered from the browser's own copy.
+        if self.encoding:
+            self.send_header("Content-Encoding", self.encoding)
+        self.send_header("Vary", "Accept-Encoding")
+        # A new export must be seen at once: the browser asks whether its copy is still right.
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
@@ -56,11 +55,14 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     def log_error(self, format, *args):
         print(f"{self.path}: {format % args}", file=sys.stderr)
 
-    def _encoding(self, path):
-        if not os.path.isfile(path):
-            return None
+    def _encoding(self):
+        """The name of a compression that the browser takes and that there is a copy of."""
+        path = self.translate_path(self.path)
         accepted = {part.split(";")[0].strip() for part in self.headers.get("Accept-Encoding", "").split(",")}
-        return next((name for name, ending in COPIES.items() if name in accepted and os.path.isfile(path + ending)), None)
+        for name, ending in COPIES.items():
+            if name in accepted and os.path.isfile(path) and os.path.isfile(path + ending):
+                return name
+        return None
 
 
 def open_server(folder, port):
