@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Brings Godot from Debian's `forky` suite into a folder of its own, for machines that reach Debian's packages only.
-# Prints the path of a `godot` that runs with the C library it was built for, beside the system's older one.
+# Prints the path of a `godot` that runs with the C library it was built for, beside the system's older one; beside
+# that lies `godot-template-release`, which does so, too.
 # Usage: tools/get_godot_debian.sh FOLDER
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -85,13 +86,13 @@ bind_to_libraries() {
 		--set-rpath "$libraries:$libraries/pulseaudio" "$1"
 }
 
-# The program gets its name last: an interrupted run never leaves half a Godot that counts as one.
-install_program() {
+# install NAME: a program gets its name last, so an interrupted run never leaves half of one that counts as whole.
+install() {
 	mkdir -p "$folder/bin"
-	cp "$root/usr/bin/godot" "$program.partial"
-	bind_to_libraries "$program.partial"
-	"$program.partial" --version >/dev/null
-	mv "$program.partial" "$program"
+	cp "$root/usr/bin/$1" "$folder/bin/$1.partial"
+	bind_to_libraries "$folder/bin/$1.partial"
+	"$folder/bin/$1.partial" --version >/dev/null
+	mv "$folder/bin/$1.partial" "$folder/bin/$1"
 }
 
 mkdir -p "$(dirname "$folder")"
@@ -104,7 +105,8 @@ if [ ! -x "$program" ]; then
 	mkdir -p "$root"
 	unpack
 	forget_run_paths
-	install_program
+	install godot
 	rm -rf "$folder.partial"
 fi
+[ -x "$folder/bin/godot-template-release" ] || install godot-template-release
 echo "$program"

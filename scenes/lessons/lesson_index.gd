@@ -18,12 +18,16 @@ const FOLDERS: PackedStringArray = [
 	"l12_error_and_time",
 ]
 
+## What a lesson is, `%` its folder.
+const LESSON_FILE := "res://scenes/lessons/%s/lesson.tres"
 
-## All lessons in order; loads their cards' texts, not their scenes.
+
+## All lessons in order, in a demo its only one; loads their cards' texts, not their scenes.
 static func lessons() -> Array[LessonInfo]:
 	var found: Array[LessonInfo] = []
 	for folder in FOLDERS:
-		found.append(load("res://scenes/lessons/%s/lesson.tres" % folder) as LessonInfo)
+		if ResourceLoader.exists(LESSON_FILE % folder):
+			found.append(load(LESSON_FILE % folder) as LessonInfo)
 	return found
 
 
@@ -43,6 +47,6 @@ static func find(id: StringName) -> LessonInfo:
 	return null
 
 
-## The lesson's place in the order, from 1; 0 for one that is not in the index.
+## The lesson's place in the order, from 1, in a demo too; 0 for one that is not in the index.
 static func number_of(lesson: LessonInfo) -> int:
-	return ids().find(lesson.id) + 1
+	return FOLDERS.find(lesson.resource_path.get_base_dir().get_file()) + 1

@@ -3,10 +3,13 @@ extends PanelContainer
 ## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
 ## undo.
 
-const _SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
-const _ACTIONS: Array[StringName] = [
-	&"lab_back", &"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"
-]
+## The student wants to leave. The way back is offered where something listens.
+signal left
+
+## The scene of a service, `%` the name in [member LessonInfo.needs].
+const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
+
+const _ACTIONS: Array[StringName] = [&"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"]
 const _NO_ACTIONS: Array[StringName] = []
 
 ## The lesson to open; set before the frame enters the tree.
@@ -33,7 +36,7 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 func _ready() -> void:
 	WindowFit.follow(get_window())
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
-	(%Back as Button).pressed.connect(_go_back)
+	_offer_way_back()
 	(%Reset as Button).pressed.connect(_reset)
 	_undo.pressed.connect(_history.undo)
 	_redo.pressed.connect(_history.redo)
@@ -51,7 +54,7 @@ func _exit_tree() -> void:
 
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
-		_go_back()
+		left.emit()
 	elif event.is_action_pressed(&"lab_redo", false, true):
 		_history.redo()
 	elif event.is_action_pressed(&"lab_undo", false, true):
@@ -85,7 +88,7 @@ func _open() -> void:
 
 
 func _add_service(need: String) -> Control:
-	var service := (load(_SERVICE_SCENE % need) as PackedScene).instantiate() as Control
+	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
 	_announce(service)
 	_services.add_child(service)
 	if service is FoldableContainer:
@@ -127,8 +130,12 @@ func _reset() -> void:
 	_store()
 
 
-func _go_back() -> void:
-	Navigation.open_start_screen(get_tree())
+func _offer_way_back() -> void:
+	var back := %Back as Button
+	back.visible = left.has_connections()
+	back.pressed.connect(left.emit)
+	if back.visible:
+		_help_actions.push_front(&"lab_back")
 
 
 func _show_notice(message: String) -> void:

@@ -10,6 +10,7 @@ const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
 static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	frame.lesson_info = lesson
+	frame.left.connect(open_start_screen.bind(tree))
 	_change_scene.call_deferred(tree, frame)
 
 

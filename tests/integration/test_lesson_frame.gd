@@ -28,10 +28,17 @@ func test_the_title_shows_number_and_name() -> void:
 
 
 func test_the_back_button_leads_to_the_start_screen() -> void:
-	await open_lesson(_STILL)
+	await open_start_screen()
+	await student.press_key(KEY_ENTER)
 	await click_button("Back to the lessons")
 	assert_null(frame())
 	assert_eq(screen().scene_file_path, START_SCREEN)
+
+
+func test_where_nothing_listens_no_way_back_is_offered() -> void:
+	await open_lesson(_STILL)
+	assert_null(Screen.button(screen(), "Back to the lessons"))
+	assert_false(_help().contains("Esc"), _help())
 
 
 func test_going_back_and_forth_leaves_nothing_behind() -> void:
@@ -50,7 +57,7 @@ func test_going_back_and_forth_leaves_nothing_behind() -> void:
 
 func test_the_help_names_the_keys_of_the_frame_and_of_the_services_brought() -> void:
 	await open_lesson(_CLOCK)
-	for part: String in ["Esc back", "R reset", "Ctrl+Z undo", "Tab next part", "P play or pause"]:
+	for part: String in ["R reset", "Ctrl+Z undo", "Tab next part", "P play or pause"]:
 		assert_true(_help().contains(part), part)
 	assert_false(_help().contains("step"), "no steps, no help for them")
 
@@ -69,7 +76,8 @@ func test_the_help_shows_a_binding_as_it_is_now() -> void:
 
 
 func test_the_help_names_the_gamepads_buttons_once_one_is_pressed() -> void:
-	await open_lesson(_STILL)
+	await open_start_screen()
+	await student.press_key(KEY_ENTER)
 	await student.press_pad(JOY_BUTTON_DPAD_DOWN)
 	assert_true(_help().contains("B back"), _help())
 	assert_true(_help().contains("Y reset"), _help())

@@ -1,0 +1,42 @@
+extends RefCounted
+## What can be exported: the whole lab, and each lesson as a demo of its own.
+
+const NeededFiles := preload("needed_files.gd")
+
+## The name of the whole lab beside the ids of the lessons.
+const LAB := "lab"
+
+
+## The names of all demos: the lab, then the lessons in their order.
+static func names() -> PackedStringArray:
+	return PackedStringArray([LAB]) + LessonIndex.ids()
+
+
+## What the demo with this name holds.
+static func needed_by(demo: String) -> NeededFiles:
+	return NeededFiles.new(_starts(demo))
+
+
+static func _starts(demo: String) -> PackedStringArray:
+	var starts := _named_in_settings()
+	if demo == LAB:
+		starts.append(_setting("application/run/main_scene"))
+		for lesson: LessonInfo in LessonIndex.lessons():
+			starts.append(lesson.resource_path)
+			starts.append(lesson.card_path())
+	else:
+		starts.append(_setting("application/run/main_scene.demo"))
+		starts.append(LessonIndex.find(demo).resource_path)
+	return starts
+
+
+static func _named_in_settings() -> PackedStringArray:
+	var named: PackedStringArray = [_setting("gui/theme/custom")]
+	var translations: PackedStringArray = ProjectSettings.get_setting(
+		"internationalization/locale/translations", PackedStringArray()
+	)
+	return named + translations
+
+
+static func _setting(title: String) -> String:
+	return ProjectSettings.get_setting(title)

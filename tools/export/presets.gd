@@ -1,0 +1,101 @@
+extends RefCounted
+## The export presets: one for each demo on each platform, with the list of the files that it
+## holds. What stands here wins over what the editor's export window would choose.
+
+const Demos := preload("demos.gd")
+
+const FILE := "res://export_presets.cfg"
+## What brings a stale [constant FILE] up to date.
+const COMMAND := "./lab export presets"
+
+const _COMPRESSED_TOKENS := 2
+
+# Icons are drawings and cards are lossy pictures: nothing is compressed for a graphics card.
+const _OPTIONS: Dictionary[String, Dictionary] = {
+	"linux":
+	{
+		"binary_format/architecture": "x86_64",
+		"binary_format/embed_pck": false,
+		"texture_format/s3tc_bptc": true,
+		"texture_format/etc2_astc": false,
+	},
+	"web":
+	{
+		"variant/extensions_support": false,
+		"variant/thread_support": false,
+		"vram_texture_compression/for_desktop": true,
+		"vram_texture_compression/for_mobile": false,
+		"html/custom_html_shell": "res://tools/web/demo_page.html",
+		"html/canvas_resize_policy": 2,
+		"html/focus_canvas_on_start": true,
+		"html/experimental_virtual_keyboard": true,
+		"html/export_icon": false,
+		"progressive_web_app/enabled": false,
+	},
+}
+const _PLATFORMS: Dictionary[String, String] = {"linux": "Linux", "web": "Web"}
+const _EXPORTED_FILE: Dictionary[String, String] = {
+	"linux": "build/export/linux/%s/%s.x86_64", "web": "build/export/web/%s/index.html"
+}
+
+
+## The platforms by the names that `./lab export` knows.
+static func platforms() -> PackedStringArray:
+	return PackedStringArray(_PLATFORMS.keys())
+
+
+## The name of a preset.
+static func name_of(platform: String, demo: String) -> String:
+	return "%s %s" % [platform, demo]
+
+
+## All presets as they have to be now.
+static func wanted() -> ConfigFile:
+	var presets := ConfigFile.new()
+	var number := 0
+	for demo: String in Demos.names():
+		var files := Demos.needed_by(demo).files
+		for platform: String in platforms():
+			_add(presets, "preset.%d" % number, platform, demo, files)
+			number += 1
+	return presets
+
+
+## What is wrong with the committed file, or "": the editor may have added options to it.
+static func staleness() -> String:
+	var present := ConfigFile.new()
+	present.load(FILE)
+	var right := wanted()
+	for section: String in right.get_sections():
+		for key: String in right.get_section_keys(section):
+			if present.get_value(section, key, null) != right.get_value(section, key):
+				return _stale("“%s” is no longer right in [%s]" % [key, section])
+	if present.get_sections().size() != right.get_sections().size():
+		return _stale("it holds presets that no demo has")
+	return ""
+
+
+static func _stale(reason: String) -> String:
+	return "%s is stale (%s): run %s" % [FILE.get_file(), reason, COMMAND]
+
+
+static func _add(
+	presets: ConfigFile, section: String, platform: String, demo: String, files: PackedStringArray
+) -> void:
+	var entries := {
+		"name": name_of(platform, demo),
+		"platform": _PLATFORMS[platform],
+		"runnable": demo == Demos.LAB,
+		"dedicated_server": false,
+		"custom_features": "" if demo == Demos.LAB else "demo",
+		"export_filter": "resources",
+		"export_files": files,
+		"include_filter": "",
+		"exclude_filter": "",
+		"export_path": _EXPORTED_FILE[platform].replace("%s", demo),
+		"script_export_mode": _COMPRESSED_TOKENS,
+	}
+	for key: String in entries:
+		presets.set_value(section, key, entries[key])
+	for option: String in _OPTIONS[platform]:
+		presets.set_value(section + ".options", option, _OPTIONS[platform][option])
