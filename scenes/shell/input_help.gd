@@ -9,6 +9,7 @@ const PURPOSES: Dictionary[StringName, String] = {
 	&"lab_reset": "reset",
 	&"lab_undo": "undo",
 	&"lab_redo": "redo",
+	&"lab_copy_link": "copy link",
 	&"lab_step": "step",
 	&"lab_step_back": "step back",
 	&"lab_pause": "play or pause",

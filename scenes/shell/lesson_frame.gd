@@ -5,11 +5,15 @@ extends PanelContainer
 
 ## The student wants to leave. The way back is offered where something listens.
 signal left
+## A link to another lesson is to be opened.
+signal other_lesson_wanted(lesson: LessonInfo)
 
 ## The scene of a service, `%` the name in [member LessonInfo.needs].
 const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 
-const _ACTIONS: Array[StringName] = [&"lab_reset", &"lab_undo", &"lab_redo", &"ui_focus_next"]
+const _ACTIONS: Array[StringName] = [
+	&"lab_reset", &"lab_undo", &"lab_redo", &"lab_copy_link", &"ui_focus_next"
+]
 const _NO_ACTIONS: Array[StringName] = []
 
 ## The lesson to open; set before the frame enters the tree.
@@ -17,6 +21,9 @@ var lesson_info: LessonInfo
 
 ## The lesson inside.
 var lesson: Lesson
+
+## The link to its board.
+var link: BoardLink
 
 var _first_state: Dictionary
 var _last_state: Dictionary
@@ -38,6 +45,7 @@ func _ready() -> void:
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
 	_offer_way_back()
 	(%Reset as Button).pressed.connect(_reset)
+	(%CopyLink as Button).pressed.connect(_copy_link)
 	_undo.pressed.connect(_history.undo)
 	_redo.pressed.connect(_history.redo)
 	_history.version_changed.connect(_refresh_buttons)
@@ -61,6 +69,8 @@ func _unhandled_input(event: InputEvent) -> void:
 		_history.undo()
 	elif event.is_action_pressed(&"lab_reset", false, true):
 		_reset()
+	elif event.is_action_pressed(&"lab_copy_link", false, true):
+		_copy_link()
 
 
 func _input(event: InputEvent) -> void:
@@ -84,7 +94,10 @@ func _open() -> void:
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
 	_first_state = lesson.state()
-	_last_state = _first_state
+	link = BoardLink.new(lesson_info.id, lesson)
+	_open_requested()
+	_last_state = lesson.state()
+	WebPage.follow_fragment(_follow_link)
 
 
 func _add_service(need: String) -> Control:
@@ -127,6 +140,30 @@ func _show_state(stored: Dictionary) -> void:
 
 func _reset() -> void:
 	lesson.show_state(lesson.reset_state(_first_state))
+	_store()
+
+
+func _copy_link() -> void:
+	_show_notice(link.copy())
+
+
+# Opens what was asked for: a state of this lesson's board, or another lesson.
+func _open_requested() -> void:
+	var id := LessonRequest.take_id()
+	var other := LessonIndex.find(id)
+	if not id or id == lesson_info.id:
+		var problem := link.open(LessonRequest.take_state(lesson_info.id))
+		if problem:
+			_show_notice(problem)
+	elif other:
+		other_lesson_wanted.emit(other)
+	else:
+		_show_notice(LessonRequest.refusal(id))
+
+
+func _follow_link(text: String) -> void:
+	LessonRequest.ask(text)
+	_open_requested()
 	_store()
 
 

@@ -11,6 +11,7 @@ static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	frame.lesson_info = lesson
 	frame.left.connect(open_start_screen.bind(tree))
+	frame.other_lesson_wanted.connect(func(other: LessonInfo) -> void: open_lesson(tree, other))
 	_change_scene.call_deferred(tree, frame)
 
 

@@ -12,6 +12,7 @@ func _ready() -> void:
 		_add_card(lesson)
 	(_cards.get_child(0) as Control).grab_focus()
 	open_requested(LessonRequest.take_id())
+	WebPage.follow_fragment(_follow_link)
 
 
 ## Opens the lesson with this id, or says which ids there are; does nothing for "".
@@ -24,6 +25,11 @@ func open_requested(id: String) -> void:
 	else:
 		(%Notice as Label).text = LessonRequest.refusal(id)
 		(%NoticePlace as Control).show()
+
+
+func _follow_link(text: String) -> void:
+	LessonRequest.ask(text)
+	open_requested(LessonRequest.take_id())
 
 
 func _add_card(lesson: LessonInfo) -> void:

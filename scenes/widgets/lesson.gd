@@ -33,3 +33,26 @@ var services: Dictionary[StringName, Control] = {}
 ## nearer one, such as the start of the situation that was picked.
 func reset_state(first: Dictionary) -> Dictionary:
 	return first
+
+
+## What a link to the board holds: [method state] without the past, of the kinds of values that
+## [LessonLink] knows.
+func link_state() -> Dictionary:
+	return state()
+
+
+## What the values are that a link does not name, where [param wanted] is what it wants:
+## [param first], the link state at the start, unless a lesson has a nearer one.
+func link_base(first: Dictionary, _wanted: Dictionary) -> Dictionary:
+	return first
+
+
+## "" if the lesson can show [param linked], a link state with the right names and kinds; else one
+## sentence with the value and what is allowed, translated.
+func link_problem(_linked: Dictionary) -> String:
+	return ""
+
+
+## Shows a link state that has no [method link_problem]; emits nothing but a notice.
+func show_link(linked: Dictionary) -> void:
+	show_state(linked)

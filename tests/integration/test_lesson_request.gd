@@ -1,26 +1,62 @@
 extends ScreenTest
-## Opening a lesson from the command line or a browser's address.
+## Opening a lesson, and a state of its board, from the command line or a browser's address.
+
+
+func after_each() -> void:
+	LessonRequest.ask("")
+	await super.after_each()
 
 
 func test_the_command_line_names_a_lesson() -> void:
-	assert_eq(LessonRequest.id_in_arguments(["--verbose", "--lesson=dot_product"]), "dot_product")
+	var arguments: PackedStringArray = ["--verbose", "--lesson=dot_product?a=7,1"]
+	assert_eq(LessonRequest.text_in_arguments(arguments), "dot_product?a=7,1")
 
 
 func test_a_command_line_without_a_lesson_asks_for_none() -> void:
-	assert_eq(LessonRequest.id_in_arguments(["--verbose", "dot_product"]), "")
-	assert_eq(LessonRequest.id_in_arguments([]), "")
+	assert_eq(LessonRequest.text_in_arguments(["--verbose", "dot_product"]), "")
+	assert_eq(LessonRequest.text_in_arguments([]), "")
 
 
-func test_a_browsers_address_names_a_lesson() -> void:
-	assert_eq(LessonRequest.id_in_fragment("#dot_product"), "dot_product")
-	assert_eq(LessonRequest.id_in_fragment("#no%20lesson"), "no lesson")
-	assert_eq(LessonRequest.id_in_fragment(""), "")
+func test_a_request_names_a_lesson_and_perhaps_a_state() -> void:
+	for row: Array in [
+		["dot_product", "dot_product", ""],
+		["#dot_product", "dot_product", ""],
+		["#dot_product?", "dot_product", ""],
+		["#dot_product?a=7,1&b=8,-6", "dot_product", "a=7,1&b=8,-6"],
+		["#dot_product%3Fa%3D7%2c1", "dot_product", "a=7,1"],
+		["#no%20lesson", "no lesson", ""],
+		["#a?b?c", "a", "b?c"],
+		["#%FF%zz%", "%FF%zz%", ""],
+		["#", "", ""],
+		["", "", ""],
+	]:
+		var text: String = row[0]
+		LessonRequest.ask(text)
+		assert_eq(LessonRequest.take_id(), str(row[1]), text)
+		assert_eq(LessonRequest.take_state(str(row[1])), str(row[2]), text)
+
+
+func test_a_state_is_given_to_its_lesson_only_and_only_once() -> void:
+	LessonRequest.ask("dot_product?a=7,1")
+	assert_eq(LessonRequest.take_state("normals"), "")
+	assert_eq(LessonRequest.take_state("dot_product"), "")
+	LessonRequest.ask("dot_product?a=7,1")
+	assert_eq(LessonRequest.take_state("dot_product"), "a=7,1")
+	assert_eq(LessonRequest.take_state("dot_product"), "")
 
 
 func test_the_lesson_asked_for_is_opened() -> void:
 	await open_start_screen()
 	await _request("dot_product")
 	assert_eq(frame().lesson_info.id, &"dot_product")
+
+
+func test_the_state_asked_for_is_opened_from_the_start_screen() -> void:
+	LessonRequest.ask("dot_product?a=3,4")
+	await open_start_screen()
+	await student.settle()
+	var a: PackedFloat64Array = frame().lesson.state()["a"]
+	assert_eq(a, PackedFloat64Array([3, 4]))
 
 
 func test_an_unknown_lesson_gets_one_notice_with_all_ids() -> void:
@@ -38,8 +74,11 @@ func test_nothing_asked_for_shows_no_notice() -> void:
 
 
 func test_a_request_is_taken_once_so_that_the_way_back_leads_to_the_start_screen() -> void:
-	LessonRequest.take_id()
-	assert_eq(LessonRequest.take_id(), "")
+	LessonRequest.ask("dot_product")
+	await open_start_screen()
+	await student.settle()
+	await student.press(&"lab_back")
+	assert_null(frame())
 
 
 func _request(id: String) -> void:

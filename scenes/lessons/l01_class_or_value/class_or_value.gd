@@ -56,6 +56,10 @@ func show_state(stored: Dictionary) -> void:
 	_show_all()
 
 
+func link_problem(linked: Dictionary) -> String:
+	return ClassOrValueModel.problem_of(linked)
+
+
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_formula = services[&"formula"] as Formula

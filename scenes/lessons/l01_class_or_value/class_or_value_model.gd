@@ -4,6 +4,9 @@ extends RefCounted
 ##
 ## Both are given the same place, the same second name and the same change.
 
+## Numbers stay within this, so that those of the Vector2 stay finite.
+const LARGEST := 1e38
+
 ## The Vec2 that the student moves.
 var position := Vec2.new(2.0, -3.0)
 ## A second name: for the same Vec2, or with [member copies] for a copy.
@@ -15,12 +18,16 @@ var old_value := value
 ## Whether [method remember] takes a copy of the Vec2 instead of giving it a second name.
 var copies := false
 
+# Where the Vec2 was at the latest remember().
+var _remembered := position.copy()
+
 
 ## What a student writes to keep the old place: `old = position`, with [member copies]
 ## `old = position.copy()`; for the Vector2 `old_value = value`.
 func remember() -> void:
 	old = position.copy() if copies else position
 	old_value = value
+	_remembered = position.copy()
 
 
 ## Moves Vec2 and Vector2 to the same place, by changing them.
@@ -38,20 +45,29 @@ func is_shared() -> bool:
 func to_dictionary() -> Dictionary:
 	return {
 		"position": PackedFloat64Array([position.x, position.y]),
-		"old": PackedFloat64Array([old.x, old.y]),
-		"old_value": old_value,
-		"is_shared": is_shared(),
+		"old": PackedFloat64Array([_remembered.x, _remembered.y]),
 		"copies": copies,
 	}
+
+
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	for name: String in ["position", "old"]:
+		var place: PackedFloat64Array = stored[name]
+		for number in place:
+			var problem := StateCheck.within(name, number, -LARGEST, LARGEST)
+			if problem:
+				return problem
+	return ""
 
 
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var place: PackedFloat64Array = stored["position"]
 	var old_place: PackedFloat64Array = stored["old"]
-	var was_shared: bool = stored["is_shared"]
-	position = Vec2.new(place[0], place[1])
-	old = position if was_shared else Vec2.new(old_place[0], old_place[1])
-	value = position.to_vector2()
-	old_value = stored["old_value"]
 	copies = stored["copies"]
+	position = Vec2.new(old_place[0], old_place[1])
+	value = position.to_vector2()
+	remember()
+	move_to(place[0], place[1])

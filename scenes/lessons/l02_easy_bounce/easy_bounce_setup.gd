@@ -48,6 +48,14 @@ static func to_dictionary(model: EasyBounceModel) -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	var ball: PackedFloat64Array = stored["ball"]
+	var tilt: float = stored["tilt_degrees"]
+	return StateCheck.first([problem("r", ball[4]), problem("tilt", tilt)])
+
+
 ## Puts back what [method to_dictionary] has told, and goes to frame 0.
 static func from_dictionary(model: EasyBounceModel, stored: Dictionary) -> void:
 	var ball: PackedFloat64Array = stored["ball"]

@@ -58,6 +58,11 @@ func show_state(stored: Dictionary) -> void:
 	_show_all()
 
 
+func link_problem(linked: Dictionary) -> String:
+	var number: int = linked["mistake"]
+	return StateCheck.mistake(number, NormalsTexts.mistakes())
+
+
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout

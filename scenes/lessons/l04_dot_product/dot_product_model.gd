@@ -112,11 +112,13 @@ func set_signed_angle_degrees(degrees: float) -> void:
 		a_head = head
 
 
-## All of it, for undo and links.
+## All of it, for undo and links: heads, and where they begin.
 func to_dictionary() -> Dictionary:
 	return {
-		"a": PackedFloat64Array([a_tail.x, a_tail.y, a_head.x, a_head.y]),
-		"b": PackedFloat64Array([b_tail.x, b_tail.y, b_head.x, b_head.y]),
+		"a": PackedFloat64Array([a_head.x, a_head.y]),
+		"a_from": PackedFloat64Array([a_tail.x, a_tail.y]),
+		"b": PackedFloat64Array([b_head.x, b_head.y]),
+		"b_from": PackedFloat64Array([b_tail.x, b_tail.y]),
 		"is_swapped": is_swapped,
 		"normalizes": normalizes,
 	}
@@ -124,11 +126,14 @@ func to_dictionary() -> Dictionary:
 
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
-	var ends_of_a: PackedFloat64Array = stored["a"]
-	var ends_of_b: PackedFloat64Array = stored["b"]
-	a_tail.set_xy(ends_of_a[0], ends_of_a[1])
-	a_head.set_xy(ends_of_a[2], ends_of_a[3])
-	b_tail.set_xy(ends_of_b[0], ends_of_b[1])
-	b_head.set_xy(ends_of_b[2], ends_of_b[3])
+	_put(stored, "a", a_head)
+	_put(stored, "a_from", a_tail)
+	_put(stored, "b", b_head)
+	_put(stored, "b_from", b_tail)
 	is_swapped = stored["is_swapped"]
 	normalizes = stored["normalizes"]
+
+
+static func _put(stored: Dictionary, name: String, point: Vec2) -> void:
+	var numbers: PackedFloat64Array = stored[name]
+	point.set_xy(numbers[0], numbers[1])

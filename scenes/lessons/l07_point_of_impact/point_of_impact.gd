@@ -58,6 +58,10 @@ func show_state(stored: Dictionary) -> void:
 	_show_all()
 
 
+func link_problem(linked: Dictionary) -> String:
+	return PointOfImpactModel.problem_of(linked)
+
+
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_results = PointOfImpactResults.new(services[&"readout"] as Readout)

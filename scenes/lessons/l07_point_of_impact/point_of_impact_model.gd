@@ -132,6 +132,23 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	var model := PointOfImpactModel.new()
+	model.from_dictionary(stored)
+	return (
+		StateCheck
+		. first(
+			[
+				model.line.problem(),
+				Ball.new(model.old_position, model.radius).problem(),
+				StateCheck.mistake(model.mistake, PointOfImpactMistakes.infos()),
+			]
+		)
+	)
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var ends: PackedFloat64Array = stored["line"]

@@ -49,6 +49,10 @@ func show_state(stored: Dictionary) -> void:
 	noticed.emit(_model.refusal())
 
 
+func link_problem(linked: Dictionary) -> String:
+	return ReflectionModel.problem_of(linked)
+
+
 func _bring_services() -> void:
 	_steps = services[&"steps"] as Steps
 	_readout = services[&"readout"] as Readout

@@ -171,6 +171,24 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	var model := ReflectionModel.new()
+	model.from_dictionary(stored)
+	return (
+		StateCheck
+		. first(
+			[
+				model.enter("lx", model.along.x),
+				model.enter("C", model.bounciness),
+				model.enter("n_length", model.normal_length),
+				StateCheck.mistake(model.mistake, ReflectionMistakes.infos()),
+			]
+		)
+	)
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var of_velocity: PackedFloat64Array = stored["velocity"]

@@ -59,6 +59,22 @@ func reset_state(_first: Dictionary) -> Dictionary:
 	return _model.start_again().to_dictionary()
 
 
+func link_state() -> Dictionary:
+	return AngledLinesLink.state_of(_model)
+
+
+func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
+	return AngledLinesLink.base(first, wanted)
+
+
+func link_problem(linked: Dictionary) -> String:
+	return AngledLinesLink.problem_of(linked)
+
+
+func show_link(linked: Dictionary) -> void:
+	show_state(AngledLinesLink.to_dictionary(linked))
+
+
 func _connect_board() -> void:
 	_connect_keys(%Keys as AngledLinesKeys)
 	pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))

@@ -47,6 +47,10 @@ func show_state(stored: Dictionary) -> void:
 	_show_all()
 
 
+func link_problem(linked: Dictionary) -> String:
+	return LineEndsModel.problem_of(linked)
+
+
 func _connect_board() -> void:
 	_drawing.shot_moved.connect(_move_shot)
 	_drawing.line_moved.connect(_move_line)

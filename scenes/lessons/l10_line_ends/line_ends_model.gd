@@ -146,6 +146,23 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	var model := LineEndsModel.new()
+	model.from_dictionary(stored)
+	return (
+		StateCheck
+		. first(
+			[
+				model.problem(),
+				StateCheck.within("time", model.time, 0.0, 1.0),
+				StateCheck.mistake(model.mistake, LineEndsMistakeTexts.infos()),
+			]
+		)
+	)
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var shot: PackedFloat64Array = stored["shot"]

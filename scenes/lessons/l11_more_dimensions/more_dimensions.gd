@@ -54,6 +54,10 @@ func show_state(stored: Dictionary) -> void:
 	_show_all()
 
 
+func link_problem(linked: Dictionary) -> String:
+	return MoreDimensionsModel.problem_of(linked)
+
+
 func _connect_board() -> void:
 	_picture.head_moved.connect(_move_head)
 	_picture.turned.connect(_turn)

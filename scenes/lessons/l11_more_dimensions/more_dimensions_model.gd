@@ -110,6 +110,21 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+static func problem_of(stored: Dictionary) -> String:
+	var model := MoreDimensionsModel.new()
+	for letter: String in ["a", "b"]:
+		var components: PackedFloat64Array = stored[letter]
+		for i in MOST:
+			var problem := model.set_component(letter, i, components[i])
+			if problem:
+				return problem
+	var angles: PackedFloat64Array = stored["view"]
+	var steepest := Axonometry.STEEPEST
+	return StateCheck.within("view", angles[1], -steepest, steepest)
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var components_of_a: PackedFloat64Array = stored["a"]

@@ -46,6 +46,10 @@ func reset_state(first: Dictionary) -> Dictionary:
 	return first
 
 
+func link_problem(linked: Dictionary) -> String:
+	return _model.problem_of(linked)
+
+
 func _peer_cases(problem_id: String) -> Array[MeasuredCase]:
 	return PeerCases.of(problem_id, true, %Engine as Node)
 

@@ -41,11 +41,7 @@ func choose_problem(place: int) -> void:
 
 ## The situations of the problem that is chosen.
 func situations() -> PackedStringArray:
-	var found: PackedStringArray = []
-	for case in _all_cases():
-		if not case.situation in found:
-			found.append(case.situation)
-	return found
+	return _situations_of(problem())
 
 
 ## The run of the problem and situation that are chosen.
@@ -124,6 +120,20 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
+## value and what is allowed.
+func problem_of(stored: Dictionary) -> String:
+	var ids: PackedStringArray = []
+	for some in problems:
+		ids.append(some.id)
+	var wanted := ids.find(str(stored["problem"]))
+	if wanted < 0:
+		return StateCheck.word("problem", str(stored["problem"]), ids)
+	var place: int = stored["situation"]
+	var count := _situations_of(problems[wanted]).size()
+	return StateCheck.within("situation", place, 0, count - 1)
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	for place in problems.size():
@@ -133,15 +143,25 @@ func from_dictionary(stored: Dictionary) -> void:
 	is_stability_open = stored["stability"]
 
 
+func _situations_of(some_problem: ReportProblem) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for case in _all_cases(some_problem):
+		if not case.situation in found:
+			found.append(case.situation)
+	return found
+
+
 func _cases_of(situation: String) -> Array[MeasuredCase]:
-	return _all_cases().filter(func(case: MeasuredCase) -> bool: return case.situation == situation)
+	return _all_cases(problem()).filter(
+		func(case: MeasuredCase) -> bool: return case.situation == situation
+	)
 
 
 # A run that waits for frames of the engine would measure the screen: ./lab report has those.
-func _all_cases() -> Array[MeasuredCase]:
-	var id := problem().id
+func _all_cases(of_problem: ReportProblem) -> Array[MeasuredCase]:
+	var id := of_problem.id
 	if not _cases.has(id):
-		var found := problem().cases(true)
+		var found := of_problem.cases(true)
 		var peers: Array[MeasuredCase] = _peer_cases.call(id)
 		found.append_array(peers)
 		_cases[id] = found.filter(func(case: MeasuredCase) -> bool: return not case.needs_frames)

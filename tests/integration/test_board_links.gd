@@ -1,0 +1,159 @@
+extends ScreenTest
+## Links to a board: copied by button and key, opened again in every lesson, refused where they are
+## wrong.
+
+const _FUZZ := preload("res://tests/support/link_fuzz.gd")
+const _CASES := 90
+
+## One or two links for each lesson that a person could write, and what they set.
+const _GOOD: Dictionary[String, Array] = {
+	"class_or_value": ["position=3,-2", "copies=true&old=1,1"],
+	"easy_bounce": ["tilt_degrees=30", "is_wall=true&ball=0,0,10,10,20"],
+	"normals": ["line=0,0,3,-4&times=1", "mistake=9"],
+	"dot_product": ["a=3,4", "b=8,-6.5&b_from=1,1&is_swapped=true"],
+	"projection_proof": ["a=3,4&b=0.1,0"],
+	"line_distance": ["ball=75,25,30&from_share=0.8", "mistake=-2"],
+	"point_of_impact": ["old=6,-13&new=6,-3", "radius=0.5&mistake=15"],
+	"reflection": ["bounciness=0.5&along=-8,-6", "has_unit_normal=false&normal_length=3"],
+	"angled_lines":
+	[
+		"scene=3",
+		"scene=5&method=event_world",
+		"gravity=0,0&balls=0,0,160,0,12&starts=0,0,160,0&lines=0,100,200,100;-200,50,-100,60",
+		"balls=900,0,1,0,12&mistake=14&method=position_reset",
+	],
+	"line_ends": ["shot=-6,-8,6,16,4&time=0.25"],
+	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1"],
+	"error_and_time": ["problem=digits_of_pi", "stability=true"],
+}
+const _BAD: Dictionary[String, Dictionary] = {
+	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
+	"easy_bounce":
+	{
+		"tilt_degrees=46": "The tilt must be within −45 and 45°, not 46°.",
+		"ball=0,0,0,0,-1": "r must be above 0 and at most 200, not −1.",
+	},
+	"normals": {"mistake=8": "mistake must be one of 0, "},
+	"dot_product":
+	{
+		"a=1,x": "“x” in a must be a number: 0, or from 1e-100 to 1e100 in size.",
+		"c=1":
+		"There is no value “c” here. There are: a, a_from, b, b_from, is_swapped, normalizes.",
+	},
+	"projection_proof": {"a=1": "a must have 2 numbers, not 1: “1”."},
+	"line_distance":
+	{
+		"line=1,1,1,1": "A segment must be longer than 0",
+		"ball=0,0,-5": "A ball's radius must be above 0 and finite, not -5",
+		"mistake=1": "mistake must be one of 0, -2, ",
+	},
+	"point_of_impact": {"radius=0": "A ball's radius must be above 0"},
+	"reflection":
+	{
+		"bounciness=1.5": "C must be within 0..1, but is 1.5.",
+		"along=0,0": "The line (0, 0) has no direction",
+		"normal_length=0": "The length of n must be above 0, but is 0.",
+	},
+	"angled_lines":
+	{
+		"scene=10": "scene must be within 0..9, not 10.",
+		"method=verlet": "method must be one of position_reset, point_of_impact, whole_frame, ",
+		"selected=1": "selected must be within 0..0, not 1.",
+		"bounciness=-1": "The bounciness C must be within 0..1, not -1",
+		"lines=1,1,1,1": "A segment must be longer than 0",
+		"balls=0,0,0,0,0": "balls must be within 0.1..200, not 0.",
+		"balls=": "selected must be within",
+		"balls=0,0,0,0,5;9,9,0,0,5": "starts must have 2 parts, as balls has, not 1.",
+		"starts=801,0,0,0": "A ball must be within -800..800 px",
+		"method=event_world&mistake=14": "mistake must be one of 0, not “14”.",
+	},
+	"line_ends":
+	{
+		"line=1,1,1,1": "The line must be at least 0.001 long",
+		"shot=0,0,1,1,0": "A radius of 0 cannot be",
+		"time=1.5": "time must be within 0..1, not 1.5.",
+	},
+	"more_dimensions":
+	{
+		"a=1e7,0,0,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
+		"view=0,2": "view must be within −1.4..1.4, not 2.",
+	},
+	"error_and_time":
+	{
+		"problem=none": "problem must be one of ",
+		"situation=-1": "situation must be within 0..",
+		"situation=99": "situation must be within 0..",
+	},
+}
+
+
+func after_each() -> void:
+	LessonRequest.ask("")
+	await super.after_each()
+
+
+func test_each_link_opens_in_its_lesson_and_is_copied_again_as_it_was() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		for text: String in _GOOD[lesson.id]:
+			await _open_link(lesson, text)
+			assert_false(_notice().contains("link"), _notice())
+			var again := frame().link.text().trim_prefix(lesson.id + "?")
+			assert_eq(_sorted(again), _sorted(text))
+			screen().free()
+
+
+func test_what_cannot_be_shown_is_named_and_the_lesson_stands_at_its_start() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		for text: String in _BAD[lesson.id]:
+			await _open_link(lesson, text)
+			var sentence: String = _BAD[lesson.id][text]
+			assert_string_starts_with(_notice(), "This link cannot be opened: " + sentence)
+			assert_eq(frame().link.text(), str(lesson.id), text)
+			screen().free()
+
+
+# Any engine error or warning fails the test.
+func test_no_link_whatever_brings_a_lesson_down() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		var fuzz := _FUZZ.new(20 + LessonIndex.number_of(lesson))
+		await open_lesson(lesson)
+		var first := frame().lesson.link_state()
+		var taken := 0
+		for i: int in _CASES:
+			taken += await _throw(fuzz.text(i, first), first)
+		assert_gt(taken, 0, "%s takes some of them" % lesson.id)
+		screen().free()
+
+
+# 1 if the link was taken.
+func _throw(text: String, first: Dictionary) -> int:
+	var before := frame().lesson.link_state()
+	var problem := frame().link.open(text)
+	await student.settle()
+	var after := frame().lesson.link_state()
+	if problem:
+		assert_eq(after, before, "refused: " + text)
+		return 0
+	var wanted := LessonLink.read(text, frame().lesson.link_base(first, after))
+	assert_eq(LessonLink.text_of(after, wanted.state), "", "taken: " + text)
+	# And where time can run, from there on.
+	await student.press(&"lab_pause")
+	await student.press(&"lab_pause")
+	return 1
+
+
+func _open_link(lesson: LessonInfo, text: String) -> void:
+	LessonRequest.ask("%s?%s" % [lesson.id, text])
+	LessonRequest.take_id()
+	await open_lesson(lesson)
+
+
+func _notice() -> String:
+	var place := frame().get_node("%NoticePlace") as Control
+	return (frame().get_node("%Notice") as Label).text if place.visible else ""
+
+
+func _sorted(text: String) -> PackedStringArray:
+	var parts := text.split("&")
+	parts.sort()
+	return parts
