@@ -10,6 +10,18 @@ set -euo pipefail
 folder=$LAB_BUILD/export/linux
 frames=120
 
+# Debian's release template says this of every control in a container that is freed, even in a project with nothing but
+# one label in a box; the editor of the same packages and the official builds do not.
+known="Attempt to disconnect a nonexistent connection from '.*'. Signal: '(size_flags|visibility)_changed', callable: ''"
+
+messages() {
+	if grep -q '^Godot Engine v[^ ]*debian' "$1"; then
+		engine_messages "$1" | grep -v -E "$known" || true
+	else
+		engine_messages "$1"
+	fi
+}
+
 # leaks LOG: what Godot says of things that were not given back; it does so with --verbose only.
 leaks() { grep -E '^(Leaked instance|StringName: |Orphan |Hint: Leaked)|still in use at exit' "$1" || true; }
 
@@ -19,12 +31,12 @@ check_demo() {
 	log=$folder/$name.log
 	"$LAB_ROOT/tools/run_with_patience.sh" 60 "$program" --verbose --audio-driver Dummy --rendering-driver opengl3 \
 		--resolution 1280x720 --fixed-fps 60 --quit-after "$frames" >"$log" || status=$?
-	found=$(engine_messages "$log")$(leaks "$log")
+	found=$(messages "$log" && leaks "$log")
 	if [ "$status" -eq 0 ] && [ -z "$found" ] && grep -q '^OpenGL API' "$log"; then
 		echo "started, drawn for $frames frames and closed: $name"
 	else
 		echo "FAILED: $name (exit code $status)"
-		printf '%s\n' "${found:-$(tail -n 5 "$log")}" | sed 's/^/  /'
+		printf '%s\n' "${found:-$(tail -n 5 "$log")}" | head -n 20 | sed 's/^/  /'
 		failed=1
 	fi
 }
