@@ -54,6 +54,14 @@ func _ready() -> void:
 	_open()
 	_refresh_buttons()
 	_show_help(false)
+	PageText.tell_page(self, [%Title as Control, _board_place, _panel])
+
+
+## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone.
+func follow_link(text: String) -> void:
+	LessonRequest.ask(text)
+	_open_requested()
+	_store()
 
 
 func _exit_tree() -> void:
@@ -97,7 +105,7 @@ func _open() -> void:
 	link = BoardLink.new(lesson_info.id, lesson)
 	_open_requested()
 	_last_state = lesson.state()
-	WebPage.follow_fragment(_follow_link)
+	WebPage.follow_fragment(follow_link)
 
 
 func _add_service(need: String) -> Control:
@@ -159,12 +167,6 @@ func _open_requested() -> void:
 		other_lesson_wanted.emit(other)
 	else:
 		_show_notice(LessonRequest.refusal(id))
-
-
-func _follow_link(text: String) -> void:
-	LessonRequest.ask(text)
-	_open_requested()
-	_store()
 
 
 func _offer_way_back() -> void:

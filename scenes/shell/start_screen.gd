@@ -13,6 +13,7 @@ func _ready() -> void:
 	(_cards.get_child(0) as Control).grab_focus()
 	open_requested(LessonRequest.take_id())
 	WebPage.follow_fragment(_follow_link)
+	PageText.tell_page(self, [self])
 
 
 ## Opens the lesson with this id, or says which ids there are; does nothing for "".

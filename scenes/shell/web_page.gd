@@ -7,6 +7,7 @@ extends RefCounted
 # that must be kept, or it is freed.
 static var _follower: Callable
 static var _listener: JavaScriptObject
+static var _has_told_first_frame := false
 
 
 ## Whether the lab runs in a page.
@@ -44,9 +45,11 @@ static func show_text(text: String) -> void:
 	_run("window.vec2_lab?.show_text?.(%s)", text)
 
 
-## Tells the page that the first frame has been drawn.
+## Tells the page, once, that the first frame has been drawn.
 static func tell_first_frame() -> void:
-	_run("window.vec2_lab?.first_frame?.()")
+	if not _has_told_first_frame:
+		_has_told_first_frame = true
+		_run("window.vec2_lab?.first_frame?.()")
 
 
 static func _run(code: String, text: String = "") -> void:

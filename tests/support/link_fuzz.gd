@@ -85,7 +85,7 @@ func text(number: int, state: Dictionary) -> String:
 func _random_text(state: Dictionary) -> String:
 	var parts: PackedStringArray = []
 	for name: String in state:
-		if _rng.randf() < 0.5:
+		if _rng.randf() < (0.2 if _is_tame else 0.5):
 			parts.append("%s=%s" % [name, _value(state[name])])
 	return "&".join(parts)
 

@@ -33,7 +33,8 @@ func _draw() -> void:
 	var tip := _pixel(_TO + 0.02)
 	var back := tip.direction_to(points[_PIECES - 2]) * _TIP
 	var side := back.orthogonal() * 0.4
-	draw_colored_polygon(PackedVector2Array([tip, tip + back + side, tip + back - side]), color)
+	var corners: PackedVector2Array = [tip, tip + back + side, tip + back - side]
+	draw_primitive(corners, [color], [])
 	var outwards := board.to_screen(_tail).direction_to(_pixel(0.5))
 	draw_text("+90°", _pixel(0.5) + outwards * 28.0, color, 18)
 

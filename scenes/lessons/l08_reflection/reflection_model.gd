@@ -12,6 +12,9 @@ enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
 const START := -1.2
 ## The ball is seen until so many seconds after that.
 const END := 1.6
+## No number is larger than this: the 32 bits of Godot's own Vector2, which stands beside, hold its
+## square.
+const LARGEST := 1e18
 ## How far from 1 the length of a normal may be: as in [method Vec2.reflect].
 const NORMAL_TOLERANCE := 1e-9
 
@@ -122,6 +125,9 @@ func aim_bounciness(head: Vec2) -> void:
 ## with the value and what is allowed.
 func enter(name_in_line: String, value: float) -> String:
 	var line := along.copy()
+	var too_large := StateCheck.within(name_in_line, value, -LARGEST, LARGEST)
+	if too_large:
+		return too_large
 	match name_in_line:
 		"vx":
 			velocity.x = value
@@ -180,7 +186,10 @@ static func problem_of(stored: Dictionary) -> String:
 		StateCheck
 		. first(
 			[
+				model.enter("vx", model.velocity.x),
+				model.enter("vy", model.velocity.y),
 				model.enter("lx", model.along.x),
+				model.enter("ly", model.along.y),
 				model.enter("C", model.bounciness),
 				model.enter("n_length", model.normal_length),
 				StateCheck.mistake(model.mistake, ReflectionMistakes.infos()),

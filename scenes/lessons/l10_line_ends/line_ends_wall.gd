@@ -62,7 +62,8 @@ func _draw_side(from: Vector2, to: Vector2, normal: Vector2) -> void:
 	draw_line(middle, tip - normal * 8.0, color, 3.0, true)
 	var side := normal.orthogonal() * 5.0
 	var neck := tip - normal * 10.0
-	draw_colored_polygon(PackedVector2Array([tip, neck + side, neck - side]), color)
+	var corners: PackedVector2Array = [tip, neck + side, neck - side]
+	draw_primitive(corners, [color], [])
 
 
 # Half a circle round an end, from one parallel to the other.

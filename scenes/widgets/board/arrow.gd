@@ -70,7 +70,9 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 		draw_line(from, neck + direction, color, width, true)
 	if has_tip:
 		var side := direction.orthogonal() * tip_length * 0.45
-		draw_colored_polygon(PackedVector2Array([to, neck + side, neck - side]), color)
+		# Not as a polygon: far outside the board, the engine finds no triangle in one.
+		var corners: PackedVector2Array = [to, neck + side, neck - side]
+		draw_primitive(corners, [color], [])
 
 
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:

@@ -57,7 +57,8 @@ func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
 		return
 	var neck := tip + tip.direction_to(other) * length
 	var across := (neck - tip).orthogonal() * 0.38
-	draw_colored_polygon(PackedVector2Array([tip, neck + across, neck - across]), color)
+	var corners: PackedVector2Array = [tip, neck + across, neck - across]
+	draw_primitive(corners, [color], [])
 
 
 func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
