@@ -51,11 +51,18 @@ export_demo() {
 	fi
 }
 
+# share_program FILE: the program is the same in every demo, 80 MB of it; on the disk it lies once.
+share_program() {
+	if cmp -s "$program" "$1"; then ln -f "$program" "$1"; fi
+	program=$1
+}
+
 # export_and_tell PLATFORM NAME: prints a line with the size of the pack.
 export_and_tell() {
 	local folder=$LAB_BUILD/export/$1/$2 begun=$SECONDS pack
 	if [ "$1" = linux ]; then
 		export_demo linux "$2" "$folder/$2.x86_64"
+		share_program "$folder/$2.x86_64"
 		pack=$folder/$2.pck
 	else
 		export_demo web "$2" "$folder/index.html"
@@ -81,6 +88,7 @@ for platform in $platforms; do get_template "$platform"; done
 mkdir -p "$logs"
 trap forget_import INT TERM
 number=0
+program=
 total=$(wc -w <<<"$(for platform in $platforms; do echo "$names"; done)")
 for platform in $platforms; do
 	get_template "$platform"

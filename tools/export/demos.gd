@@ -17,25 +17,25 @@ static func needed_by(demo: String) -> NeededFiles:
 	return NeededFiles.new(_starts(demo))
 
 
-static func _starts(demo: String) -> PackedStringArray:
-	var starts := _named_in_settings()
-	if demo == LAB:
-		starts.append(_setting("application/run/main_scene"))
-		for lesson: LessonInfo in LessonIndex.lessons():
-			starts.append(lesson.resource_path)
-			starts.append(lesson.card_path())
-	else:
-		starts.append(_setting("application/run/main_scene.demo"))
-		starts.append(LessonIndex.find(demo).resource_path)
-	return starts
-
-
-static func _named_in_settings() -> PackedStringArray:
-	var named: PackedStringArray = [_setting("gui/theme/custom")]
+## The files that the engine itself opens when the demo starts.
+static func opened_by_engine(demo: String) -> PackedStringArray:
+	var main_scene := "application/run/main_scene" + ("" if demo == LAB else ".demo")
+	var opened: PackedStringArray = [_setting(main_scene), _setting("gui/theme/custom")]
 	var translations: PackedStringArray = ProjectSettings.get_setting(
 		"internationalization/locale/translations", PackedStringArray()
 	)
-	return named + translations
+	return opened + translations
+
+
+static func _starts(demo: String) -> PackedStringArray:
+	var starts := opened_by_engine(demo)
+	if demo != LAB:
+		starts.append(LessonIndex.find(demo).resource_path)
+		return starts
+	for lesson: LessonInfo in LessonIndex.lessons():
+		starts.append(lesson.resource_path)
+		starts.append(lesson.card_path())
+	return starts
 
 
 static func _setting(title: String) -> String:
