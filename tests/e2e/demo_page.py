@@ -56,7 +56,7 @@ class DemoPage:
 
     def close(self):
         self.page.close()
-        assert self.complaints == []
+        assert not self.complaints, "\n".join(self.complaints)
 
     def _note_message(self, message):
         if message.type == "error":
