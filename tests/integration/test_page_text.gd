@@ -75,8 +75,10 @@ func test_a_change_is_told_once_and_at_most_four_times_a_second() -> void:
 	for i: int in 60:
 		notice.text = str(i)
 		await get_tree().process_frame
-	assert_gte(get_signal_emit_count(text, "changed"), 4)
-	assert_lte(get_signal_emit_count(text, "changed"), 5)
+	var count: int = get_signal_emit_count(text, "changed")
+	# One of before is among them.
+	assert_gte(count, 4)
+	assert_lte(count, 5)
 
 
 func _lines() -> PackedStringArray:

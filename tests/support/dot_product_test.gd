@@ -10,8 +10,10 @@ func before_each() -> void:
 
 ## Tail and head of a vector, `a` or `b`, as the lesson now holds them: four numbers.
 func ends(letter: String) -> PackedFloat64Array:
-	var numbers: PackedFloat64Array = frame().lesson.state()[letter]
-	return numbers
+	var stored := frame().lesson.state()
+	var tail: PackedFloat64Array = stored[letter + "_from"]
+	var head: PackedFloat64Array = stored[letter]
+	return tail + head
 
 
 ## Where a point of the plane is on the screen.
