@@ -20,11 +20,13 @@ platforms_of() {
 # names_of [NAME...]: every demo that there is, or those that were asked for, when each of them is one.
 names_of() {
 	local known name
-	known="lab $(lesson_ids | tr '\n' ' ')"
+	known=lab$'\n'$(lesson_ids)
 	for name in "$@"; do
-		[[ " $known " == *" $name "* ]] || die 2 "there is no demo '$name'; there are: ${known% }"
+		grep -qxF -- "$name" <<<"$known" || die 2 "there is no demo '$name'; there are: ${known//$'\n'/, }"
 	done
-	echo "${*:-$known}"
+	# shellcheck disable=SC2086 # one word for each
+	[ $# -gt 0 ] || set -- $known
+	echo "$@"
 }
 
 # A stopped export leaves Godot's lists of classes and ids as the pack wanted them: the next import mends them.

@@ -61,10 +61,11 @@ static func wanted() -> ConfigFile:
 	return presets
 
 
-## What is wrong with the committed file, or "": the editor may have added options to it.
-static func staleness() -> String:
+## What is wrong with the presets in [param file], or "": the editor may have added options.
+static func staleness(file: String = FILE) -> String:
 	var present := ConfigFile.new()
-	present.load(FILE)
+	if FileAccess.file_exists(file):
+		present.load(file)
 	var right := wanted()
 	for section: String in right.get_sections():
 		for key: String in right.get_section_keys(section):

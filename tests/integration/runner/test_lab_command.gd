@@ -10,7 +10,7 @@ func test_without_a_command_it_lists_the_commands() -> void:
 	var lab := LabCommand.run("res://", [])
 	assert_eq(lab.exit_code, 0)
 	for command: String in [
-		"run", "test", "lint", "report", "stability", "bench", "pictures", "setup", "help"
+		"run", "test", "lint", "report", "stability", "bench", "needs", "pictures", "setup", "help"
 	]:
 		assert_string_contains(lab.output, "\n  %s " % command)
 
@@ -31,6 +31,23 @@ func test_an_unknown_lesson_is_refused_with_the_ids() -> void:
 	assert_eq(lab.exit_code, 2)
 	assert_string_contains(lab.last_line(), "'not_there'; there are: ")
 	assert_string_contains(lab.last_line(), ", ".join(LessonIndex.ids()))
+
+
+func test_an_unknown_platform_is_refused_with_those_there_are() -> void:
+	for arguments: PackedStringArray in [["export"], ["export", "windows"]]:
+		var lab := LabCommand.run("res://", arguments)
+		assert_eq(lab.exit_code, 2)
+		assert_string_contains(
+			lab.last_line(), "usage: ./lab export linux|web|all [lab|LESSON ...]"
+		)
+
+
+func test_an_unknown_demo_is_refused_with_the_ids() -> void:
+	for arguments: PackedStringArray in [["export", "linux", "not_there"], ["needs", "not_there"]]:
+		var lab := LabCommand.run("res://", arguments)
+		assert_eq(lab.exit_code, 2)
+		assert_string_contains(lab.last_line(), "'not_there'; there are: lab, ")
+		assert_string_contains(lab.last_line(), ", ".join(LessonIndex.ids()))
 
 
 func test_an_unknown_benchmark_is_refused() -> void:

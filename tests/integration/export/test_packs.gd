@@ -1,0 +1,94 @@
+extends LabTest
+## The real packs of three demos, exported here: the lab, the smallest and a large lesson. `./lab
+## needs` does the same with all of them.
+
+const CompiledScript := preload("res://tools/export/compiled_script.gd")
+const Pack := preload("res://tools/export/pack.gd")
+const PackRules := preload("res://tools/export/pack_rules.gd")
+const WrittenCode := preload("res://tools/export/written_code.gd")
+
+const _FOLDER := "res://build/test/packs"
+const _DEMOS: PackedStringArray = ["lab", "dot_product", "angled_lines"]
+
+var _packs: Dictionary[String, Pack] = {}
+
+
+func before_all() -> void:
+	DirAccess.make_dir_recursive_absolute(_FOLDER)
+	for demo: String in _DEMOS:
+		DirAccess.remove_absolute(_path_of(demo))
+		var arguments: PackedStringArray = ["--headless", "--path", _globalized("res://")]
+		arguments.append_array(["--export-pack", "linux " + demo, _path_of(demo)])
+		OS.execute(OS.get_executable_path(), arguments)
+		_packs[demo] = Pack.new(_path_of(demo))
+
+
+func test_every_pack_keeps_the_rules() -> void:
+	for demo: String in _DEMOS:
+		assert_eq(PackRules.broken_by(demo, _packs[demo]), PackedStringArray(), demo)
+
+
+func test_the_dot_product_holds_no_code_of_collisions_worlds_or_reports() -> void:
+	assert_has(_packs["dot_product"].sizes, "scripts/vec2.gdc")
+	for file: String in _packs["dot_product"].sizes:
+		for folder: String in ["scripts/collision/", "scripts/world/", "scripts/report/"]:
+			assert_false(file.begins_with(folder), file)
+
+
+func test_no_pack_holds_or_names_tests_tools_documents_or_the_test_runner() -> void:
+	for demo: String in _DEMOS:
+		var lists := _list_of_classes(demo)
+		for file: String in _packs[demo].sizes:
+			lists += "res://%s\n" % file
+		for folder: String in ["addons", "tests", "tools", "docs", "benchmarks"]:
+			assert_false(lists.contains("res://%s/" % folder), "%s holds %s" % [demo, folder])
+
+
+func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
+	var classes := FileAccess.get_file_as_string("res://.godot/global_script_class_cache.cfg")
+	assert_string_contains(classes, "res://tests/support/lab_test.gd")
+	assert_string_contains(_list_of_classes("lab"), "res://scripts/world/event_world.gd")
+
+
+func test_a_compiled_script_names_what_its_text_names() -> void:
+	var vec2 := CompiledScript.new(_packs["dot_product"].bytes_of("scripts/vec2.gdc"))
+	var written := WrittenCode.names_in(FileAccess.get_file_as_string("res://scripts/vec2.gd"))
+	assert_true(vec2.is_valid)
+	for word: String in ["Vec2", "scalar_projection", "limit_length", "to_vector2"]:
+		assert_has(vec2.names, word)
+		assert_has(written, word)
+
+
+func test_what_is_no_compiled_script_has_no_names() -> void:
+	for text: String in ["", "GDSC", "extends RefCounted\nvar no_tokens := 1"]:
+		assert_false(CompiledScript.new(text.to_utf8_buffer()).is_valid)
+
+
+# In a folder without a project: there the engine finds nothing but the pack.
+func test_a_pack_alone_starts_without_a_word_of_an_error() -> void:
+	for demo: String in _DEMOS:
+		var said := []
+		var arguments: PackedStringArray = ["--headless", "--path", _globalized(_FOLDER)]
+		arguments.append_array(["--main-pack", _path_of(demo), "--quit-after", "3"])
+		assert_eq(OS.execute(OS.get_executable_path(), arguments, said, true), 0, demo)
+		assert_eq(_first_error(str(said[0])), "", demo)
+
+
+func _first_error(said: String) -> String:
+	for line: String in said.split("\n"):
+		if line.contains("ERROR") or line.contains("WARNING"):
+			return line
+	return ""
+
+
+func _list_of_classes(demo: String) -> String:
+	var bytes := _packs[demo].bytes_of(".godot/global_script_class_cache.cfg")
+	return bytes.get_string_from_utf8()
+
+
+func _path_of(demo: String) -> String:
+	return _globalized(_FOLDER.path_join(demo + ".pck"))
+
+
+func _globalized(path: String) -> String:
+	return ProjectSettings.globalize_path(path)

@@ -1,0 +1,47 @@
+extends LabTest
+## What the export plugin leaves of the two lists that the engine puts into every pack.
+
+const LeanExport := preload("res://tools/export/lean_export.gd")
+
+const _KEPT: PackedStringArray = ["res://kept.gd"]
+
+
+func test_of_the_classes_those_of_exported_files_stay() -> void:
+	var list := 'list=[{"class": &"Kept", "path": "res://kept.gd"}, '
+	list += '{"class": &"Gone", "path": "res://gone.gd"}]'
+	var lean := ConfigFile.new()
+	lean.parse(LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8())
+	var entries: Array = lean.get_value("", "list")
+	assert_eq(entries, [{"class": &"Kept", "path": "res://kept.gd"}])
+
+
+func test_of_the_ids_those_of_exported_files_stay() -> void:
+	var kept := _entry(7, "res://kept.gd")
+	var list := _count(3) + _entry(5, "res://gone.gd") + kept + _entry(9, "res://last.gd")
+	assert_eq(LeanExport.ids_of(_KEPT, list), _count(1) + kept)
+
+
+func test_an_empty_list_of_ids_stays_empty() -> void:
+	assert_eq(LeanExport.ids_of(_KEPT, PackedByteArray()), _count(0))
+
+
+func test_the_lists_of_this_project_are_read_as_the_engine_writes_them() -> void:
+	var ids := LeanExport.ids_of(
+		["res://scripts/vec2.gd"], FileAccess.get_file_as_bytes("res://.godot/uid_cache.bin")
+	)
+	var id := ids.decode_s64(4)
+	assert_eq(ResourceUID.get_id_path(id), "res://scripts/vec2.gd")
+
+
+func _count(count: int) -> PackedByteArray:
+	var bytes := PackedByteArray([0, 0, 0, 0])
+	bytes.encode_u32(0, count)
+	return bytes
+
+
+func _entry(id: int, path: String) -> PackedByteArray:
+	var bytes := PackedByteArray()
+	bytes.resize(12)
+	bytes.encode_s64(0, id)
+	bytes.encode_u32(8, path.length())
+	return bytes + path.to_utf8_buffer()
