@@ -8,7 +8,10 @@ const ENGINE := "../engine/godot"
 
 const _ICON := '<link rel="icon" type="image/svg+xml" href="../icon.svg">'
 const _HOME := '<a href="../index.html">← All<span class="long">&nbsp;demos</span></a>'
-const _NEXT := '<a href="../{id}/index.html" rel="next">Next<span class="long">: {title}</span>&nbsp;→</a>'
+const _NEXT := (
+	'<a href="../{id}/index.html" rel="next">'
+	+ 'Next<span class="long">: {title}</span>&nbsp;→</a>'
+)
 const _PICTURE := '<img src="../cards/{id}.png" width="480" height="364" alt="">'
 
 
