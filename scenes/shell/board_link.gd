@@ -17,10 +17,10 @@ func _init(id: String, lesson: Lesson) -> void:
 	_first = lesson.link_state()
 
 
-## Shows the state [param text], as [LessonLink] reads it. "" if that could be done; else one
-## sentence on what is wrong, and nothing has changed.
-func open(text: String) -> String:
-	var link := _read(text)
+## Shows the state [param text_of_state], as [LessonLink] reads it. "" if that could be done; else
+## one sentence on what is wrong, and nothing has changed.
+func open(text_of_state: String) -> String:
+	var link := _read(text_of_state)
 	if not link.problem:
 		_lesson.show_link(link.state)
 		return ""

@@ -17,8 +17,8 @@ const _MOST_DIGITS := 18
 static var _pattern := RegEx.create_from_string(_PATTERN)
 
 
-## [param value], which must be finite, with as few digits as tell it from every other double (in one
-## of 1000 numbers one more): `7`, `-0.1`, `3e15`.
+## [param value], which must be finite, with as few digits as tell it from every other double (in
+## one of 1000 numbers one more): `7`, `-0.1`, `3e15`.
 static func of(value: float) -> String:
 	if value == 0.0:
 		return "-0" if 1.0 / value < 0.0 else "0"

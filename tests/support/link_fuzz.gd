@@ -94,17 +94,17 @@ func _random_text(state: Dictionary) -> String:
 func _wrong_text(state: Dictionary) -> String:
 	var names: Array = state.keys()
 	var name: String = names[_rng.randi() % names.size()]
-	var text := _WRONG[_rng.randi() % _WRONG.size()]
+	var wrong := _WRONG[_rng.randi() % _WRONG.size()]
 	match _rng.randi() % 5:
 		0:
 			return name
 		1:
 			return "%s=%s&%s" % [name, _value(state[name]), _random_text(state)]
 		2:
-			return "%s=%s" % [text, _value(state[name])]
+			return "%s=%s" % [wrong, _value(state[name])]
 		3:
-			return "%s=%s,%s" % [name, _value(state[name]), text]
-	return "%s=%s" % [name, text]
+			return "%s=%s,%s" % [name, _value(state[name]), wrong]
+	return "%s=%s" % [name, wrong]
 
 
 func _value(first: Variant) -> String:

@@ -150,9 +150,9 @@ static func _problem_of_balls(linked: Dictionary) -> String:
 			if problem:
 				return problem
 		var radius := ball[_BALL - 1]
-		var problem := StateCheck.within("balls", radius, SMALLEST_RADIUS, LARGEST_RADIUS)
-		if problem:
-			return problem
+		var refused := StateCheck.within("balls", radius, SMALLEST_RADIUS, LARGEST_RADIUS)
+		if refused:
+			return refused
 	return _problem_of_starts(starts)
 
 

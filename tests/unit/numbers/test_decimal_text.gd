@@ -50,8 +50,28 @@ func test_people_may_write_a_number_in_their_own_way() -> void:
 
 func test_what_is_no_number_is_nan() -> void:
 	for text: String in [
-		"", "-", ".", "-.", "e5", "1e", "1e5.5", "--3", "+3", "1,5", " 7", "7 ", "7\n", "nan", "inf",
-		"0x10", "1_000", "½", "٣", "1e1000", "1e99999999999", "1234567890123456789",
+		"",
+		"-",
+		".",
+		"-.",
+		"e5",
+		"1e",
+		"1e5.5",
+		"--3",
+		"+3",
+		"1,5",
+		" 7",
+		"7 ",
+		"7\n",
+		"nan",
+		"inf",
+		"0x10",
+		"1_000",
+		"½",
+		"٣",
+		"1e1000",
+		"1e99999999999",
+		"1234567890123456789",
 	]:
 		assert_true(is_nan(DecimalText.value_of(text)), text)
 
