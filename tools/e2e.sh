@@ -27,11 +27,13 @@ test_in_browser() {
 		say "the browser tests were skipped: they need Chromium and Playwright"
 		return 0
 	fi
-	bring_site_up_to_date
+	bring_site_up_to_date || return 1
 	CHROMIUM=$(command -v chromium) PYTHONDONTWRITEBYTECODE=1 \
 		"$venv/bin/python" -m pytest -p no:cacheprovider "$LAB_ROOT/tests/e2e" "$@"
 }
 
+failed=0
 make_build_folder
-test_in_browser "$@"
-[ $# -gt 0 ] || "$LAB_ROOT/tools/check_linux_demos.sh"
+test_in_browser "$@" || failed=1
+[ $# -gt 0 ] || "$LAB_ROOT/tools/check_linux_demos.sh" || failed=1
+exit "$failed"

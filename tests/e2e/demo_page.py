@@ -21,7 +21,7 @@ class DemoPage:
         self.complaints = []
         page.on("console", self._note_message)
         page.on("pageerror", lambda error: self.complaints.append(f"page error: {error}"))
-        page.on("requestfailed", lambda request: self.complaints.append(f"failed: {request.url}"))
+        page.on("requestfailed", self._note_failure)
         page.on("response", self._note_response)
 
     def open(self, path):
@@ -61,6 +61,11 @@ class DemoPage:
     def _note_message(self, message):
         if message.type == "error":
             self.complaints.append(f"console: {message.text}")
+
+    def _note_failure(self, request):
+        # What was still on its way when the page was left is broken off, and nobody misses it.
+        if request.failure != "net::ERR_ABORTED":
+            self.complaints.append(f"{request.failure}: {request.url}")
 
     def _note_response(self, response):
         if response.status >= 400 or not response.url.startswith((self.site, "data:", "blob:")):
