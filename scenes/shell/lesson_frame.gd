@@ -42,6 +42,7 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 func _ready() -> void:
 	WindowFit.follow(get_window())
+	Signs.add_to_font()
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
 	_offer_way_back()
 	(%Reset as Button).pressed.connect(_reset)

@@ -29,7 +29,9 @@ static func tell_page(screen: Control, parts: Array[Control]) -> void:
 	var text := PageText.new(parts)
 	text.changed.connect(WebPage.show_text)
 	screen.add_child(text)
-	RenderingServer.frame_post_draw.connect(WebPage.tell_first_frame, CONNECT_ONE_SHOT)
+	# Where a link opens a lesson at once, the start screen before it has not been drawn yet.
+	if not RenderingServer.frame_post_draw.is_connected(WebPage.tell_first_frame):
+		RenderingServer.frame_post_draw.connect(WebPage.tell_first_frame, CONNECT_ONE_SHOT)
 
 
 ## What can be read in these parts, a line each; `title: value` for what has a title.

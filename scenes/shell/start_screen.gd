@@ -8,6 +8,7 @@ const _CARD := preload("res://scenes/shell/lesson_card.tscn")
 
 func _ready() -> void:
 	WindowFit.follow(get_window())
+	Signs.add_to_font()
 	for lesson in LessonIndex.lessons():
 		_add_card(lesson)
 	(_cards.get_child(0) as Control).grab_focus()

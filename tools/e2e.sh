@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Uses every exported demo as a person would: in headless Chromium, and on Linux on a screen in memory. Exports what is
+# missing or stale. Usage: tools/e2e.sh [PYTEST OPTIONS]   (with options only the browser's tests run, such as -k dot_product)
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "$0")/common.sh"
+# shellcheck source-path=SCRIPTDIR source=web/site.sh
+. "$(dirname "$0")/web/site.sh"
+
+venv=$LAB_CACHE/e2e-venv
+
+# The file `installed` is written last: an interrupted installation is begun anew.
+get_playwright() {
+	local wanted="playwright==$PLAYWRIGHT_VERSION pytest==$PYTEST_VERSION"
+	[ "$(cat "$venv/installed" 2>/dev/null)" != "$wanted" ] || return 0
+	python3 -c 'import ensurepip, venv' 2>/dev/null ||
+		install_packages "python3 with venv is missing" python3-venv || return 1
+	say "installing $wanted into $venv"
+	rm -rf "$venv"
+	# shellcheck disable=SC2086 # two requirements, two words
+	python3 -m venv "$venv" && "$venv/bin/pip" install --quiet --disable-pip-version-check $wanted >&2 &&
+		echo "$wanted" >"$venv/installed"
+}
+
+test_in_browser() {
+	if ! need chromium chromium || ! get_playwright; then
+		say "the browser tests were skipped: they need Chromium and Playwright"
+		return 0
+	fi
+	bring_site_up_to_date || return 1
+	CHROMIUM=$(command -v chromium) PYTHONDONTWRITEBYTECODE=1 \
+		"$venv/bin/python" -m pytest -p no:cacheprovider "$LAB_ROOT/tests/e2e" "$@"
+}
+
+failed=0
+make_build_folder
+test_in_browser "$@" || failed=1
+[ $# -gt 0 ] || "$LAB_ROOT/tools/check_linux_demos.sh" || failed=1
+exit "$failed"

@@ -1,0 +1,46 @@
+extends RefCounted
+## A demo on the web site: the whole lab, or one lesson. Texts are English, as the pages are.
+
+const WebDemo := preload("web_demo.gd")
+
+## The whole lab among the ids of lessons.
+const LAB := "lab"
+
+## Its folder on the site, and the lesson's id.
+var id: String
+
+## A lesson's place in the order, from 1; 0 for the whole lab.
+var number: int
+
+## Its name.
+var title: String
+
+## What one sees in it: one line.
+var summary: String
+
+
+## The whole lab, then all lessons in their order.
+static func all() -> Array[WebDemo]:
+	var lessons := LessonIndex.lessons()
+	var lab := WebDemo.new()
+	lab.id = LAB
+	lab.title = ProjectSettings.get_setting("application/config/name")
+	lab.summary = "All %d lessons in one program, with a card for each." % lessons.size()
+	var demos: Array[WebDemo] = [lab]
+	for lesson in lessons:
+		demos.append(_of_lesson(lesson))
+	return demos
+
+
+## Its title on a page of its own: a lesson's begins with its number.
+func heading() -> String:
+	return "%d  %s" % [number, title] if number else title
+
+
+static func _of_lesson(lesson: LessonInfo) -> WebDemo:
+	var demo := WebDemo.new()
+	demo.id = lesson.id
+	demo.number = LessonIndex.number_of(lesson)
+	demo.title = lesson.title
+	demo.summary = lesson.summary
+	return demo

@@ -1,0 +1,86 @@
+extends RefCounted
+## The texts of the web site's pages: what belongs between the marks `<!-- name -->` and
+## `<!-- /name -->` of a page is filled in. A page that is filled in already can be filled in anew.
+
+const WebDemo := preload("web_demo.gd")
+
+const ENGINE := "../engine/godot"
+
+const _ICON := '<link rel="icon" type="image/svg+xml" href="../icon.svg">'
+const _HOME := '<a href="../index.html">← All<span class="long">&nbsp;demos</span></a>'
+const _NEXT := (
+	'<a href="../{id}/index.html" rel="next">'
+	+ 'Next<span class="long">: {title}</span>&nbsp;→</a>'
+)
+const _PICTURE := '<img src="../cards/{id}.png" width="480" height="364" alt="">'
+
+
+## The index made from its form [param page]: a card for each of [param demos], the lab's apart.
+## [param engine_bytes] is what the first demo loads beside itself.
+static func index(page: String, demos: Array[WebDemo], engine_bytes: int) -> String:
+	var lab := ""
+	var cards := ""
+	for demo in demos:
+		if demo.id == WebDemo.LAB:
+			lab = _formatted(between(page, "lab"), demo)
+		else:
+			cards += _formatted(between(page, "card"), demo)
+	var filled := fill(fill(page, "lab", lab), "card", cards)
+	return fill(filled, "engine", "%.0f" % ceilf(engine_bytes / 1e6))
+
+
+## The page of [param demo] as it was exported, or filled in before: with its title, its picture,
+## the way to the index and to the demo [param next] (null after the last), and the shared engine.
+## [param sizes] tells the bytes of the engine's `wasm` and of the demo's `pck`.
+static func demo_page(
+	page: String, demo: WebDemo, next: WebDemo, sizes: Dictionary[String, int]
+) -> String:
+	var filled := fill(page, "title", _formatted("<title>{heading}</title>", demo))
+	filled = fill(filled, "icon", _ICON)
+	filled = fill(filled, "heading", _formatted("<h1>{heading}</h1>", demo))
+	filled = fill(filled, "home", _HOME)
+	filled = fill(filled, "next", _formatted(_NEXT, next) if next else "")
+	filled = fill(filled, "picture", _formatted(_PICTURE, demo) if demo.number else "")
+	return fill(filled, "config", _shared(between(page, "config"), demo, sizes))
+
+
+## What stands between the marks [param name] of [param page].
+static func between(page: String, name: String) -> String:
+	var start := page.find("<!-- %s -->" % name)
+	var end := page.find("<!-- /%s -->" % name)
+	if start < 0 or end < start:
+		push_error("the page has no marks <!-- %s --> and <!-- /%s -->" % [name, name])
+		return ""
+	return page.substr(start, end - start).trim_prefix("<!-- %s -->" % name)
+
+
+## [param page] with [param text] between the marks [param name].
+static func fill(page: String, name: String, text: String) -> String:
+	return page.replace(_marked(name, between(page, name)), _marked(name, text))
+
+
+static func _marked(name: String, text: String) -> String:
+	return "<!-- %s -->%s<!-- /%s -->" % [name, text, name]
+
+
+static func _formatted(form: String, demo: WebDemo) -> String:
+	return (
+		form
+		. format(
+			{
+				"id": demo.id,
+				"title": demo.title.xml_escape(true),
+				"heading": demo.heading().xml_escape(true).replace("  ", "&ensp;"),
+				"summary": demo.summary.xml_escape(true),
+			}
+		)
+	)
+
+
+static func _shared(config: String, demo: WebDemo, sizes: Dictionary[String, int]) -> String:
+	var values: Dictionary = JSON.parse_string(config)
+	var pack := "%s.pck" % demo.id
+	values["executable"] = ENGINE
+	values["mainPack"] = pack
+	values["fileSizes"] = {ENGINE + ".wasm": sizes["wasm"], pack: sizes["pck"]}
+	return JSON.stringify(values)

@@ -1,0 +1,66 @@
+extends SceneTree
+## Writes the index of the exported web demos, and fills in each demo's page: see web_pages.gd.
+## Usage: godot --headless --path . -s tools/web/write_pages.gd -- FOLDER
+
+const WebDemo := preload("web_demo.gd")
+const WebPages := preload("web_pages.gd")
+
+const _FORM := "res://tools/web/index_page.html"
+const _ICON := "res://assets/icons/app_icon.svg"
+
+var _site: String
+var _failed := 0
+
+
+func _init() -> void:
+	_site = OS.get_cmdline_user_args()[0]
+	var demos: Array[WebDemo] = WebDemo.all().filter(_is_there)
+	for place in demos.size():
+		_fill_in(demos[place], demos[place + 1] if place + 1 < demos.size() else null)
+	_copy_pictures()
+	var page := FileAccess.get_file_as_string(_FORM)
+	_write("index.html", WebPages.index(page, demos, _engine_bytes()))
+	quit(mini(_failed, 1))
+
+
+func _is_there(demo: WebDemo) -> bool:
+	return FileAccess.file_exists(_site.path_join(demo.id).path_join("index.html"))
+
+
+func _fill_in(demo: WebDemo, next: WebDemo) -> void:
+	var page := demo.id.path_join("index.html")
+	var sizes: Dictionary[String, int] = {
+		"wasm": FileAccess.get_size(_site.path_join("engine/godot.wasm")),
+		"pck": FileAccess.get_size(_site.path_join("%s/%s.pck" % [demo.id, demo.id])),
+	}
+	var text := FileAccess.get_file_as_string(_site.path_join(page))
+	_write(page, WebPages.demo_page(text, demo, next, sizes))
+
+
+# What travels is the compressed copy.
+func _engine_bytes() -> int:
+	return FileAccess.get_size(_site.path_join("engine/godot.wasm.gz"))
+
+
+func _copy_pictures() -> void:
+	_check(DirAccess.make_dir_recursive_absolute(_site.path_join("cards")), "cards")
+	for lesson in LessonIndex.lessons():
+		_copy(lesson.card_path(), "cards/%s.png" % lesson.id)
+	_copy(_ICON, "icon.svg")
+
+
+func _copy(from: String, to: String) -> void:
+	_check(DirAccess.copy_absolute(ProjectSettings.globalize_path(from), _site.path_join(to)), to)
+
+
+func _write(path: String, text: String) -> void:
+	var file := FileAccess.open(_site.path_join(path), FileAccess.WRITE)
+	if file:
+		file.store_string(text)
+	_check(FileAccess.get_open_error(), path)
+
+
+func _check(error: Error, path: String) -> void:
+	if error != OK:
+		_failed += 1
+		printerr("%s: %s" % [path, error_string(error)])
