@@ -10,6 +10,8 @@ const _COUNTS: Array[int] = [1000, 1_000_000]
 var _model := ClassOrValueModel.new()
 var _step := _STEP_COUNT - 2
 var _has_sums := false
+# The Vec2 before the drag that is going on.
+var _before := Vec2.new()
 var _rng := RandomNumberGenerator.new()
 var _exercise_kind := SharingExercise.Kind.VEC2
 var _left := Vec2.new(-_FIELD_OFFSET, 1.0)
@@ -39,7 +41,7 @@ func start() -> void:
 	_value.released.connect(_finish)
 	_options.add_switch("copies", tr("Use copy()"))
 	_options.switched.connect(_switch)
-	_options.add_preset("remember", tr("old = position"))
+	_options.add_preset("remember", tr("Remember now"))
 	_options.preset_picked.connect(_remember)
 	_ask()
 	_question.exercise_wanted.connect(_ask)
@@ -81,6 +83,7 @@ func _define_formula() -> void:
 	_formula.define_number("value_pair", Palette.Role.B)
 	_formula.define_number("old_value_pair", Palette.Role.UNIT)
 	_formula.number_entered.connect(_enter_number)
+	_formula.role_pointed.connect(_light)
 	_formula.refused.connect(noticed.emit)
 
 
@@ -91,7 +94,7 @@ func _define_formula() -> void:
 func _move(tail: Vec2, head: Vec2, origin: Vec2) -> void:
 	var moved := head.minus(origin)
 	if not tail.equals_approx(origin, 0.0):
-		moved = tail.minus(origin).plus(_model.position)
+		moved = tail.minus(origin).plus(_before)
 	_model.move_to(moved.x, moved.y)
 	_show_model()
 
@@ -134,11 +137,19 @@ func _finish() -> void:
 
 
 func _show_all() -> void:
+	_before = _model.position.copy()
 	var reach := Vec2.new(absf(_model.position.x), absf(_model.position.y))
 	fit([_right.plus(reach), _right.minus(reach)])
 	_options.show_switch("copies", _model.copies)
 	_steps.show_sentences(ClassOrValueTexts.sentences(_model.copies), _step)
 	_show_model()
+
+
+func _light(role: Palette.Role) -> void:
+	_position.light(role == Palette.Role.A)
+	_value.light(role == Palette.Role.B)
+	_old.lit = role == Palette.Role.UNIT
+	_old_value.lit = role == Palette.Role.UNIT
 
 
 func _show_model() -> void:
@@ -148,7 +159,7 @@ func _show_model() -> void:
 	_old_value.lay(_right, _right.plus(Vec2.from_vector2(_model.old_value)))
 	_old.visible = _step >= 1
 	_old_value.visible = _step >= 1
-	_fields.show_fields(_left, _right, _step >= 1 and _model.is_shared())
+	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), _step))
 	_formula.show_lines(ClassOrValueTexts.lines(_model.copies, _step))
 	_formula.set_number("x", _model.position.x)
 	_formula.set_number("y", _model.position.y)

@@ -31,5 +31,16 @@ static func lines(copies: bool, step: int) -> PackedStringArray:
 	return found
 
 
+## What is said of Vec2 and of Vector2 at [param step], counted from 0: how many things their names
+## stand for.
+static func sharing(is_shared: bool, step: int) -> PackedStringArray:
+	if step == 0:
+		return [_translate("one name, one object"), _translate("one name, one value")]
+	var of_objects := _translate("two names, two objects")
+	if is_shared:
+		of_objects = _translate("two names, one object")
+	return [of_objects, _translate("two names, two values")]
+
+
 static func _translate(sentence: String) -> String:
 	return TranslationServer.translate(sentence)

@@ -4,24 +4,23 @@ extends BoardPart
 
 var _left := Vec2.new()
 var _right := Vec2.new()
-var _is_shared := true
+var _sharing: PackedStringArray = []
 
 
-## The fields have their origins at [param left] and [param right]; on the left both names may share
-## one object.
-func show_fields(left: Vec2, right: Vec2, is_shared: bool) -> void:
+## The fields have their origins at [param left] and [param right]; [param sharing] says of each how
+## many things its names stand for.
+func show_fields(left: Vec2, right: Vec2, sharing: PackedStringArray) -> void:
 	_left = left.copy()
 	_right = right.copy()
-	_is_shared = is_shared
+	_sharing = sharing
 	queue_redraw()
 
 
 func _draw() -> void:
 	var middle := board.size.x / 2.0
 	draw_line(Vector2(middle, 0.0), Vector2(middle, board.size.y), Palette.AXIS, 1.5)
-	var sharing := tr("two names, one object") if _is_shared else tr("two objects")
-	_write(middle / 2.0, tr("Vec2: an object"), sharing, Palette.Role.A)
-	_write(middle * 1.5, tr("Vector2: a value"), tr("two names, two values"), Palette.Role.B)
+	_write(middle / 2.0, tr("Vec2: an object"), _sharing[0], Palette.Role.A)
+	_write(middle * 1.5, tr("Vector2: a value"), _sharing[1], Palette.Role.B)
 	for origin: Vec2 in [_left, _right]:
 		draw_circle(board.to_screen(origin), 4.0, Palette.AXIS, true, -1.0, true)
 

@@ -58,8 +58,11 @@ func _lay_unit(model: NormalsModel, step: int) -> void:
 	var is_wrong_normal := model.mistake == NormalsMistakes.WRONG_NORMAL
 	_lay(_unit, model.start, model.unit(), step >= 3 and has_normal and not is_wrong_normal)
 	_unit.keep_label_from(model.end)
-	# The shorter of the two arrows on one another is drawn on top.
-	_normal.z_index = 1 if model.v().length() < 1.0 else 0
+	# The shorter of the two arrows on one another is drawn on top, its name beside both.
+	var is_short := model.v().length() < 1.0
+	_normal.z_index = 1 if is_short else 0
+	_normal.label_place = Arrow.LabelPlace.MIDDLE if is_short else Arrow.LabelPlace.HEAD
+	_normal.keep_label_from(model.start.minus(model.v()))
 	_scaled.label = tr("%s n̂") % NumberText.short(model.times)
 	_lay(_scaled, model.middle(), model.scaled(), step >= 4 and has_normal and model.mistake == 0)
 

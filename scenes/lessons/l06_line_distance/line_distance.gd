@@ -217,6 +217,9 @@ func _show_model() -> void:
 		Palette.Role.RIGHT if is_good else Palette.Role.WRONG,
 		LineDistanceTexts.verdict(_model)
 	)
-	var ball_pixel := to_screen(_model.ball.position)
-	_verdict.keep_off([ball_pixel], _model.ball.radius * pixels_per_unit)
+	var balls: PackedVector2Array = [to_screen(_model.ball.position)]
+	var wrong := _model.position_with_mistake()
+	if _model.mistake != 0 and wrong.is_finite():
+		balls.append(to_screen(wrong))
+	_verdict.keep_off(balls, _model.ball.radius * pixels_per_unit)
 	_results.show_model(_model)

@@ -166,9 +166,13 @@ func _set_up(preset: String) -> void:
 	_finish()
 
 
+# A mistake that this frame would not show brings one along that does.
 func _make_mistake(number: int) -> void:
 	_model.mistake = number
-	_finish()
+	if number != 0 and not _model.shows_mistake():
+		_set_up("Not yet")
+	else:
+		_finish()
 
 
 func _show_exercise() -> void:

@@ -92,6 +92,12 @@ func position_with_mistake() -> Vec2:
 	return old_position.plus(motion().scaled(share_with_mistake()))
 
 
+## Whether the mistake that is switched on makes a difference: another t, or one that is taken where
+## there is no impact.
+func shows_mistake() -> bool:
+	return share_with_mistake() != share() or frame_case() != Case.IN_FRAME
+
+
 ## Makes the frame's motion this long and keeps old position and direction. "" if that can be; else
 ## a sentence, and the motion stays.
 func set_speed(pixels: float) -> String:

@@ -61,10 +61,10 @@ static func _mistake_words(model: PointOfImpactModel) -> String:
 	var wrong := model.share_with_mistake()
 	if not model.position_with_mistake().is_finite():
 		return _translate("the mistake says t = %s: ball lost") % NumberText.short(wrong)
+	if not model.shows_mistake():
+		return _translate("the mistake changes nothing here")
 	if wrong == model.share():
-		var is_right := model.frame_case() == PointOfImpactModel.Case.IN_FRAME
-		var same := _translate("the mistake changes nothing here")
-		return same if is_right else _translate("the mistake takes this t all the same")
+		return _translate("the mistake takes this t all the same")
 	return _translate("the mistake says t = %s") % NumberText.short(wrong)
 
 

@@ -7,7 +7,7 @@ const _PRESETS: Dictionary[String, Array] = {
 	"C = 0.5": [3.0, 4.0, -7.0, 0.0, 0.5],
 	"Angled": [0.0, 5.0, -8.0, -6.0, 1.0],
 	"Head on": [0.0, 5.0, -7.0, 0.0, 0.8],
-	"Along": [5.0, 0.0, -7.0, 0.0, 1.0],
+	"Along": [4.0, 0.0, -7.0, 0.0, 1.0],
 }
 
 var _model := ReflectionModel.new()

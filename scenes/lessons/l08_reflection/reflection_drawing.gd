@@ -88,12 +88,13 @@ func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_spli
 	_second.label = "−(v·n) n" if step == ReflectionModel.Step.MIRROR else "−C (v·n) n"
 	_leaving.lay(Vec2.new(), leaving)
 	_mirror.lay(Vec2.new(), model.velocity_after(2.0))
-	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE
+	var has_part := model.normal_part().length() > 0.0
+	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE and has_part
 	_second.visible = bounces and leaving.distance_to(slide) > 0.0
 	_leaving.visible = bounces
-	_mirror.visible = (
-		bounces and model.mistake == 0 and leaving.distance_to(model.velocity_after(2.0)) > 0.0
-	)
+	# Where it would lie on the arrow out of the line, it says nothing.
+	var turns := not model.has_equal_angles(model.times_subtracted(step))
+	_mirror.visible = bounces and model.mistake == 0 and turns
 
 
 func _lay_wrong(model: ReflectionModel) -> void:
@@ -102,6 +103,10 @@ func _lay_wrong(model: ReflectionModel) -> void:
 	_wrong.keep_label_from(model.velocity)
 	_wrong.lay(Vec2.new(), ReflectionMistakes.velocity_after(model))
 	_wrong.visible = model.mistake > 0
+	# Reflected again, the wrong arrow ends where these have their names.
+	var is_crowded := model.mistake == ReflectionMistakes.REFLECTED_AGAIN
+	_first.label = "" if is_crowded else "−(v·n) n"
+	_velocity.label = "" if is_crowded else "v"
 
 
 func _lay_angles(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:

@@ -94,6 +94,16 @@ func angle_out_degrees(leaving: Vec2) -> float:
 	return absf(Vec2.rad_to_deg(facing_normal().angle_to(leaving)))
 
 
+## Whether the ball leaves at the angle to the normal at which it came, after the part along the
+## normal was subtracted [param times] times. Below 2 only head on or along the line. A ball that
+## stops does not leave.
+func has_equal_angles(times: float) -> bool:
+	var leaving := velocity_after(times)
+	if times == 2.0 or leaving.length() == 0.0:
+		return times == 2.0
+	return absf(angle_out_degrees(leaving) - angle_in_degrees()) < 1e-9
+
+
 ## Which share of the kinetic energy [param leaving] has; 1 for a ball at rest.
 func energy_share(leaving: Vec2) -> float:
 	var speed := velocity.length()

@@ -52,7 +52,7 @@ static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> Packe
 		]
 	var energy := _translate("keeps %s %% of its energy")
 	return [
-		_angles(model.angle_in_degrees(), model.angle_out_degrees(leaving)),
+		_angles(model, leaving),
 		energy % NumberText.short(model.energy_share(leaving) * 100.0, 3),
 	]
 
@@ -61,14 +61,15 @@ static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> Packe
 static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> String:
 	if step < ReflectionModel.Step.SLIDE:
 		return "→"
-	return "=" if model.times_subtracted(step) == 2.0 else "≠"
+	return "=" if model.has_equal_angles(model.times_subtracted(step)) else "≠"
 
 
-static func _angles(angle_in: float, angle_out: float) -> String:
-	return (
-		_translate("in %s°, out %s° to the normal")
-		% [NumberText.short(angle_in), NumberText.short(angle_out)]
-	)
+static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
+	var angle_in := NumberText.short(model.angle_in_degrees())
+	if leaving.length() == 0.0:
+		return _translate("in %s° to the normal, and it stops") % angle_in
+	var angle_out := NumberText.short(model.angle_out_degrees(leaving))
+	return _translate("in %s°, out %s° to the normal") % [angle_in, angle_out]
 
 
 static func _normal_line(model: ReflectionModel) -> String:

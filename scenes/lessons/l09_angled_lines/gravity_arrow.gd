@@ -10,7 +10,7 @@ signal released
 # Pixels of the plane per unit of gravity: the usual 300 are 30 long.
 const _SCALE := 0.1
 # From the corner of the board to the tail, in pixels of the screen.
-const _PLACE := Vector2(46.0, 130.0)
+const _PLACE := Vector2(56.0, 130.0)
 
 var _board: Board
 var _tail := Vec2.new()

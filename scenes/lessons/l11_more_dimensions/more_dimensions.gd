@@ -203,10 +203,13 @@ func _arrange() -> void:
 	var top := Rect2(2.0 * gap + half.x, gap, half.x, half.y)
 	_picture.visible = not _model.has_four
 	_put(_picture, left)
+	# The space picture leaves its corner to the card, bars fill all of it.
+	var below_card := (%VerdictCard as Control).get_combined_minimum_size().y + gap
+	left = left.grow_individual(0.0, -below_card, 0.0, 0.0)
 	_put(_bars, left if _model.has_four else top)
 	_put(%Hint as Control, Rect2(gap, left.end.y, half.x, _HINT_HEIGHT))
 	_put(_stairs, Rect2(top.position.x, 2.0 * gap + half.y, half.x, half.y))
-	_put(%VerdictCard as Control, Rect2(left.position + Vector2(4.0, 4.0), Vector2.ZERO))
+	_put(%VerdictCard as Control, Rect2(gap + 4.0, gap + 4.0, 0.0, 0.0))
 
 
 func _put(control: Control, place: Rect2) -> void:

@@ -97,6 +97,13 @@ func test_the_arrow_of_gravity_can_be_dragged() -> void:
 	assert_vec2(_gravity(), Vec2.new(200, 300), 1e-6)
 
 
+func test_gravity_to_the_left_stays_on_the_board() -> void:
+	await student.press(&"lab_gravity_left")
+	var head := Screen.named(screen(), "Head of gravity g") as Handle
+	var dot := Rect2(head.get_global_rect().get_center(), Vector2.ZERO).grow(head.dot_radius)
+	assert_true(frame().lesson.get_global_rect().encloses(dot.grow(8.0)))
+
+
 func test_b_goes_through_the_bouncinesses_and_c_can_be_typed() -> void:
 	await student.press(&"lab_next_bounciness")
 	assert_eq(_world().surroundings.bounciness, 0.8)

@@ -209,6 +209,19 @@ func test_the_card_gives_way_to_the_ball() -> void:
 	assert_true(frame().lesson.get_global_rect().encloses(card.get_global_rect()))
 
 
+func test_the_card_gives_way_to_the_wrong_ball_too() -> void:
+	var card := frame().lesson.get_node("%Verdict") as Control
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(720, 1280)]:
+		await resize(size)
+		await pick_mistake("Mistake 9")
+		var model := LineDistanceModel.new()
+		model.from_dictionary(frame().lesson.state())
+		var wrong := model.position_with_mistake()
+		var radius := model.ball.radius * frame().lesson.pixels_per_unit
+		var covered := card.get_global_rect().grow(radius)
+		assert_false(covered.has_point(place(wrong.x, wrong.y)), str(size))
+
+
 func test_at_every_size_nothing_is_logged_and_the_card_stays_on_the_board() -> void:
 	for size: Vector2i in [Vector2i(720, 1280), Vector2i(800, 600), Vector2i(1920, 1080)]:
 		await resize(size)

@@ -33,6 +33,15 @@ func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
 	assert_not_null(Screen.named(screen(), "Component 4 of a"))
 
 
+func test_the_card_covers_no_bar_where_bars_fill_the_board() -> void:
+	await click_button("Four components")
+	await click_button("Flat")
+	var card := _part("VerdictCard").get_global_rect()
+	var highest := _part("Bars").get_node("%B1") as Control
+	assert_false(card.grow(8.0).has_point(highest.get_global_rect().get_center()))
+	assert_gt(_part("Bars").get_global_rect().position.y, card.end.y)
+
+
 func test_typed_components_are_taken() -> void:
 	await student.enter(_field("Component 3 of b"), "-2.5")
 	assert_eq(_numbers("b"), PackedFloat64Array([2, -4, -2.5, 3]))

@@ -164,7 +164,6 @@ func test_each_mistake_shows_its_wrong_share_beside_the_right_one() -> void:
 	var wrong: Dictionary[String, String] = {
 		"Mistake 15": "a / new = −1.333",
 		"Mistake 16": "a / (old − |new|) = 2",
-		"Mistake 17": "any t, even 0.5",
 		"Mistake 20": "(new − r) / b = −0.5",
 	}
 	for heading in wrong:
@@ -185,9 +184,19 @@ func test_a_mistake_that_divides_by_0_loses_the_ball_and_nothing_breaks() -> voi
 
 func test_a_mistake_that_changes_nothing_says_so() -> void:
 	await pick_mistake("Mistake 17")
+	await click_button("Course")
 	assert_reads("the mistake changes nothing here")
-	await click_button("Not yet")
+	assert_eq(formula_lines()[-1], "t = 0.5     wrong: any t, even 0.5")
+
+
+func test_a_mistake_that_this_frame_would_not_show_brings_one_that_does() -> void:
+	await pick_mistake("Mistake 17")
 	assert_reads("the mistake takes this t all the same")
+	assert_eq(formula_lines()[-1], "t = 1.333     wrong: any t, even 1.333")
+	assert_eq(seen(["%Impact", "%Wrong"]), [false, true])
+	await click_button("Inside")
+	await pick_mistake("Mistake 17")
+	assert_eq(formula_lines()[-1], "t = −0.25     wrong: any t, even −0.25")
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:

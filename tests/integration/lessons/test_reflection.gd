@@ -223,6 +223,19 @@ func _fly_to(time: float) -> void:
 	_model().time = time
 
 
+func test_an_arrow_that_says_nothing_is_not_drawn() -> void:
+	await click_button("Head on")
+	assert_false(_is_drawn("%Mirror"), "C = 1 would lie on v out")
+	await click_button("C = 0.5")
+	assert_true(_is_drawn("%Mirror"))
+	await click_button("Along")
+	assert_false(_is_drawn("%First"), "nothing is subtracted")
+
+
+func _is_drawn(part: String) -> bool:
+	return (frame().lesson.get_node(part) as CanvasItem).visible
+
+
 # Where the ball is, less its radius along the normal, rounded to what the eye sees.
 func _ball() -> Vector2:
 	return (

@@ -39,6 +39,14 @@ func test_a_stored_state_comes_back_with_its_sharing() -> void:
 		assert_eq(again.is_shared(), not copies)
 
 
+func test_as_many_names_are_counted_as_the_step_shows() -> void:
+	assert_eq(ClassOrValueTexts.sharing(true, 0)[0], "one name, one object")
+	assert_eq(ClassOrValueTexts.sharing(true, 1)[0], "two names, one object")
+	assert_eq(ClassOrValueTexts.sharing(false, 1)[0], "two names, two objects")
+	assert_eq(ClassOrValueTexts.sharing(true, 0)[1], "one name, one value")
+	assert_eq(ClassOrValueTexts.sharing(true, 1)[1], "two names, two values")
+
+
 func test_a_million_tenths_miss_by_a_thousand_in_32_bits_and_by_a_millionth_in_64() -> void:
 	var count := 1_000_000
 	assert_almost_eq(TenthSum.with_64_bits(count), TenthSum.exact(count), 2e-6)

@@ -56,6 +56,23 @@ func test_the_angles_of_the_lecture_at_c_1_and_one_half() -> void:
 	assert_almost_eq(model.energy_share(model.reflected()), 13.0 / 25.0, 1e-15)
 
 
+func test_below_c_1_the_angles_are_equal_head_on_and_along_the_line_only() -> void:
+	var step := ReflectionModel.Step.BOUNCE
+	var signs: Array[String] = []
+	for velocity: Vec2 in [Vec2.new(3, 4), Vec2.new(0, 5), Vec2.new(5, 0)]:
+		var model := _model(velocity, Vec2.new(-7, 0))
+		model.bounciness = 0.5
+		signs.append(ReflectionTexts.verdict_sign(model, step))
+	assert_eq(signs, ["≠", "=", "="] as Array[String])
+
+
+func test_a_ball_that_stops_has_no_angle_out() -> void:
+	var model := _model(Vec2.new(0, 5), Vec2.new(-7, 0))
+	var step := ReflectionModel.Step.SLIDE
+	assert_eq(ReflectionTexts.verdict_sign(model, step), "≠")
+	assert_eq(ReflectionTexts.verdict(model, step)[0], "in 0° to the normal, and it stops")
+
+
 func test_a_normal_that_is_not_unit_is_refused_in_the_words_of_vec2() -> void:
 	for size: float in [2.0, 0.5, 14.000001, 1.0 + 2e-9]:
 		var model := ReflectionModel.new()

@@ -1,0 +1,118 @@
+extends ScreenTest
+## Drives the lesson on objects and values as a student does.
+
+
+func before_each() -> void:
+	super()
+	await open_lesson(LessonIndex.find(&"class_or_value"))
+
+
+func test_it_starts_with_one_object_that_moved_under_both_names() -> void:
+	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
+	assert_has(_formula_lines(), "value (4, −4)   old_value (2, −3)")
+
+
+func test_a_dragged_vec2_takes_its_second_name_along_and_the_vector2_does_not() -> void:
+	await student.drag(_place(-4, -3), _place(-6, -1))
+	assert_has(_formula_lines(), "position (2, −2)   old (2, −2)")
+	assert_has(_formula_lines(), "value (2, −2)   old_value (2, −3)")
+
+
+func test_dragging_the_vector2_or_the_body_of_an_arrow_moves_both_to_the_same_place() -> void:
+	await student.drag(_place(12, -3), _place(13, -2))
+	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+	await student.drag(_place(-5.5, -0.5), _place(-5.5, 0.5))
+	assert_eq(_numbers("position"), PackedFloat64Array([5, -2]))
+
+
+func test_arrow_keys_nudge_a_head_by_one() -> void:
+	Screen.named(screen(), "Head of position").grab_focus()
+	await student.press(&"ui_right")
+	await student.press(&"ui_down")
+	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+
+
+func test_a_typed_number_changes_the_vec2_under_both_names() -> void:
+	await student.enter(_field("x of position"), "-1.5")
+	await student.enter(_field("y of position"), "2")
+	assert_has(_formula_lines(), "position (−1.5, 2)   old (−1.5, 2)")
+
+
+func test_with_copy_the_old_vec2_stays_behind() -> void:
+	await click_button("Use copy()")
+	assert_has(_formula_lines(), "old = position.copy()")
+	await student.enter(_field("x of position"), "1")
+	assert_has(_formula_lines(), "position (1, −4)   old (4, −4)")
+	await click_button("Remember now")
+	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
+
+
+func test_the_steps_begin_without_a_second_name_and_end_with_both_sums() -> void:
+	await student.press(&"lab_step")
+	assert_reads("1.3e−6")
+	assert_reads("958")
+	for step: int in 3:
+		await student.press(&"lab_step_back")
+	assert_false(_arrow("%Old").visible)
+	assert_does_not_read("old = ")
+	await student.press(&"lab_step")
+	assert_true(_arrow("%Old").visible)
+
+
+func test_a_symbol_pointed_at_lights_up_its_arrow() -> void:
+	var symbol := _symbol("old_value")
+	student.move_to(symbol.get_global_rect().get_center())
+	await student.settle()
+	assert_true(_arrow("%OldValue").lit)
+	student.move_to(Vector2.ZERO)
+	await student.settle()
+	assert_false(_arrow("%OldValue").lit)
+
+
+func test_a_wrong_answer_is_told_its_mistake() -> void:
+	(frame().lesson.services[&"question"] as FoldableContainer).folded = false
+	await student.settle()
+	var asked := Screen.named(screen(), "old.x =") as LineEdit
+	var prompt := (frame().lesson.services[&"question"].get_node("%Prompt") as Label).text
+	await student.enter(asked, prompt.get_slice("(", 1).get_slice(",", 0))
+	assert_reads("now = old gives it a second name, not a copy.")
+
+
+func test_undo_and_reset_bring_back_what_is_shared() -> void:
+	var first := frame().lesson.state()
+	await click_button("Use copy()")
+	await student.press(&"lab_undo")
+	assert_eq(frame().lesson.state(), first)
+	await student.enter(_field("x of position"), "7")
+	await student.press(&"lab_reset")
+	assert_eq(frame().lesson.state(), first)
+	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
+
+
+func _numbers(key: String) -> PackedFloat64Array:
+	var held: PackedFloat64Array = frame().lesson.state()[key]
+	return held
+
+
+func _place(x: float, y: float) -> Vector2:
+	var lesson := frame().lesson
+	return lesson.get_global_transform() * lesson.to_screen(Vec2.new(x, y))
+
+
+func _field(title: String) -> LineEdit:
+	return Screen.named(screen(), title) as LineEdit
+
+
+func _arrow(part: String) -> Arrow:
+	return frame().lesson.get_node(part) as Arrow
+
+
+func _symbol(text: String) -> Control:
+	for control in Screen.controls(frame().lesson.services[&"formula"]):
+		if Screen.text_of(control) == text:
+			return control
+	return null
+
+
+func _formula_lines() -> PackedStringArray:
+	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
