@@ -7,6 +7,8 @@ extends BoardPart
 const _PARTED := 1.0
 const _ROLE := Palette.Role.REST
 const _LONGEST := 1800
+# Two texts whose middles are closer than this would lie on one another, in pixels of the screen.
+const _TEXT_SIZE := Vector2(170.0, 20.0)
 
 var _shot: EngineShot
 var _radius := 0.0
@@ -91,7 +93,7 @@ func _draw() -> void:
 	var pixels := _radius * board.pixels_per_unit
 	draw_circle(middle, pixels, Color(color, 0.12), true, -1.0, true)
 	draw_circle(middle, pixels, color, false, 2.5, true)
-	draw_text(_label(), _beside(middle, pixels + 16.0), color, 18)
+	draw_text(_label(), label_place(), color, 18)
 	if _parting:
 		_draw_parting(color)
 
@@ -106,7 +108,23 @@ func _draw_parting(color: Color) -> void:
 	draw_line(at - arm, at + arm, color, 2.5)
 	draw_line(at + Vector2(-arm.x, arm.y), at + Vector2(arm.x, -arm.y), color, 2.5)
 	var text := tr("parts after %s s") % NumberText.short(_parting_seconds, 3)
-	draw_text(text, _beside(at, 20.0), color, 16)
+	draw_text(text, parting_place(), color, 16)
+
+
+## Where the middle of the body's name is, in pixels of the board.
+func label_place() -> Vector2:
+	return _beside(board.to_screen(_place), _radius * board.pixels_per_unit + 16.0)
+
+
+## Where the middle of the words at the parting is, in pixels of the board: beside the cross, away
+## from the body's name.
+func parting_place() -> Vector2:
+	var at := board.to_screen(_parting)
+	var place := _beside(at, 20.0)
+	var way := (place - label_place()).abs()
+	if way.x < _TEXT_SIZE.x and way.y < _TEXT_SIZE.y:
+		place.y = 2.0 * at.y - place.y
+	return place
 
 
 # Below a point, or above it near the foot of the board; never beyond its sides.

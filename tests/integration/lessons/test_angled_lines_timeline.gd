@@ -114,6 +114,18 @@ func test_godots_body_starts_where_the_ball_is_and_parts_from_it() -> void:
 	assert_gt(_gap(), 1.0)
 
 
+func test_the_name_of_godots_body_and_where_it_parted_never_lie_on_one_another() -> void:
+	await student.press(&"lab_gravity_left")
+	await click_button("Godot")
+	var closest := INF
+	for i: int in 125:
+		await student.press(&"lab_step")
+		if _gap() > 1.0:
+			var way := (_engine().parting_place() - _engine().label_place()).abs()
+			closest = minf(closest, way.y if way.x < 150.0 else INF)
+	assert_between(closest, 18.0, 60.0)
+
+
 func test_godots_body_starts_anew_when_the_shot_changes() -> void:
 	await click_button("Godot")
 	for i: int in 60:
