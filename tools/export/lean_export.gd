@@ -2,16 +2,25 @@
 extends EditorExportPlugin
 ## Makes packs smaller, in exports from the editor and from a command line alike.
 ##
-## Godot 4.6 copies two files of its cache into every pack: the class names and the ids of ALL files
-## of the project, tests included, 100 KB of them. (Later versions copy what belongs to the exported
-## files.) While it exports, they hold the entries of the exported files only; afterwards they are
-## as they were. Scenes and resources are compressed, which Godot does with scripts only.
+## Godot 4.6 puts into every pack what belongs to the whole project: two files of its cache, with
+## the class names and the ids of ALL files, tests included, 100 KB of them, and every input action.
+## (Later versions leave the classes and ids out themselves.) While it exports, those files and
+## settings hold what the exported files need; afterwards they are as they were. Scenes and
+## resources are compressed, which Godot does with scripts only.
+
+const WrittenCode := preload("written_code.gd")
 
 const _CLASSES := "res://.godot/global_script_class_cache.cfg"
 const _IDS := "res://.godot/uid_cache.bin"
 const _COMPRESSED := "res://.godot/exported/compressed."
+const _ACTION := "input/"
+const _OWN_ACTIONS := "input/lab_"
+# Says in words what each action does: it names them all and uses none.
+const _WORDS_FOR_ACTIONS := "res://scenes/shell/input_help.gd"
 
-var _before: Dictionary[String, PackedByteArray] = {}
+var _files_before: Dictionary[String, PackedByteArray] = {}
+var _actions_before: Dictionary[String, Variant] = {}
+var _orders_before: Dictionary[String, int] = {}
 
 
 func _get_name() -> String:
@@ -26,15 +35,23 @@ func _export_begin(
 		return
 	var files := preset.get_files_to_export()
 	for file: String in [_CLASSES, _IDS]:
-		_before[file] = FileAccess.get_file_as_bytes(file)
-	_write(_CLASSES, classes_of(files, _before[_CLASSES]))
-	_write(_IDS, ids_of(files, _before[_IDS]))
+		_files_before[file] = FileAccess.get_file_as_bytes(file)
+	_write(_CLASSES, classes_of(files, _files_before[_CLASSES]))
+	_write(_IDS, ids_of(files, _files_before[_IDS]))
+	for action: String in unused_actions(files):
+		_actions_before[action] = ProjectSettings.get_setting(action)
+		_orders_before[action] = ProjectSettings.get_order(action)
+		ProjectSettings.clear(action)
 
 
 func _export_end() -> void:
-	for file: String in _before:
-		_write(file, _before[file])
-	_before.clear()
+	for file: String in _files_before:
+		_write(file, _files_before[file])
+	for action: String in _actions_before:
+		ProjectSettings.set_setting(action, _actions_before[action])
+		ProjectSettings.set_order(action, _orders_before[action])
+	_files_before.clear()
+	_actions_before.clear()
 
 
 func _export_file(path: String, _type: String, _features: PackedStringArray) -> void:
@@ -75,6 +92,20 @@ static func ids_of(files: PackedStringArray, list: PackedByteArray) -> PackedByt
 	var head := PackedByteArray([0, 0, 0, 0])
 	head.encode_u32(0, count)
 	return head + entries
+
+
+## The project's own input actions that none of the scripts in [param files] names, as settings.
+static func unused_actions(files: PackedStringArray) -> PackedStringArray:
+	var named: PackedStringArray = []
+	for file: String in files:
+		if file.get_extension() == "gd" and file != _WORDS_FOR_ACTIONS:
+			named.append_array(WrittenCode.strings_in(FileAccess.get_file_as_string(file)))
+	var unused: PackedStringArray = []
+	for property: Dictionary in ProjectSettings.get_property_list():
+		var setting: String = property["name"]
+		if setting.begins_with(_OWN_ACTIONS) and not setting.trim_prefix(_ACTION) in named:
+			unused.append(setting)
+	return unused
 
 
 func _write(file: String, bytes: PackedByteArray) -> void:

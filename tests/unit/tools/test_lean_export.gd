@@ -1,6 +1,7 @@
 extends LabTest
-## What the export plugin leaves of the two lists that the engine puts into every pack.
+## What the export plugin leaves of what the engine puts into every pack.
 
+const Demos := preload("res://tools/export/demos.gd")
 const LeanExport := preload("res://tools/export/lean_export.gd")
 
 const _KEPT: PackedStringArray = ["res://kept.gd"]
@@ -31,6 +32,20 @@ func test_the_lists_of_this_project_are_read_as_the_engine_writes_them() -> void
 	)
 	var id := ids.decode_s64(4)
 	assert_eq(ResourceUID.get_id_path(id), "res://scripts/vec2.gd")
+
+
+func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused() -> void:
+	var unused := LeanExport.unused_actions(
+		["res://scenes/shell/input_help.gd", "res://scenes/widgets/services/steps.gd"]
+	)
+	assert_does_not_have(unused, "input/lab_step")
+	assert_has(unused, "input/lab_pause")
+	for setting: String in unused:
+		assert_string_starts_with(setting, "input/lab_")
+
+
+func test_the_whole_lab_uses_every_action() -> void:
+	assert_eq(LeanExport.unused_actions(Demos.needed_by(Demos.LAB).files), PackedStringArray())
 
 
 func _count(count: int) -> PackedByteArray:
