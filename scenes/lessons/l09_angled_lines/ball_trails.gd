@@ -6,6 +6,7 @@ extends BoardPart
 # Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
 const _MOST_PLACES := 2000
 const _LONGEST := 1800
+
 # More trails than this are drawn as hairlines: so many cross each other anyway.
 const _MOST_BROAD := 20
 # From the end of a trail to where it cannot be seen any more, in pixels of the plane.
@@ -14,8 +15,9 @@ const _SEAM := Vector2(0.01, 0.0)
 ## Colour of the lines.
 @export var role := Palette.Role.A
 
+# For each ball the strokes of its path, as start and end of each.
 var _trails: Array[PackedVector2Array] = []
-# How many places each ball got in each frame, the latest last.
+# How many strokes each ball got in each frame, the latest last.
 var _counts: Array[PackedInt32Array] = []
 
 
@@ -24,7 +26,8 @@ func begin(world: SteppedWorld) -> void:
 	_counts.clear()
 	_trails.clear()
 	for ball in world.balls:
-		_trails.append(PackedVector2Array([ball.position.to_vector2()]))
+		var place := ball.position.to_vector2()
+		_trails.append(PackedVector2Array([place, place]))
 	queue_redraw()
 
 
@@ -33,10 +36,10 @@ func add_frame(world: SteppedWorld) -> void:
 	var counts: PackedInt32Array = []
 	counts.resize(world.balls.size())
 	for record in world.latest_bounces:
-		_trails[record.ball_index].append(record.position.to_vector2())
+		_add_stroke(record.ball_index, record.position.to_vector2())
 		counts[record.ball_index] += 1
 	for i in world.balls.size():
-		_trails[i].append(world.balls[i].position.to_vector2())
+		_add_stroke(i, world.balls[i].position.to_vector2())
 		counts[i] += 1
 	_counts.append(counts)
 	_shorten()
@@ -49,13 +52,19 @@ func remove_frame() -> void:
 		return
 	var counts: PackedInt32Array = _counts.pop_back()
 	for i in _trails.size():
-		_trails[i].resize(maxi(_trails[i].size() - counts[i], 0))
+		_trails[i].resize(maxi(_trails[i].size() - 2 * counts[i], 2))
 	queue_redraw()
 
 
 ## How many places the trail of one ball has now.
 func length_of(index: int) -> int:
-	return _trails[index].size()
+	return floori(_trails[index].size() / 2.0)
+
+
+func _add_stroke(index: int, place: Vector2) -> void:
+	var trail := _trails[index]
+	trail.append(trail[-1])
+	trail.append(place)
 
 
 func _shorten() -> void:
@@ -64,40 +73,41 @@ func _shorten() -> void:
 		_counts.pop_front()
 	for i in _trails.size():
 		# Cut rarely and much: cutting moves the whole array.
-		if _trails[i].size() > longest * 1.25:
-			_trails[i] = _trails[i].slice(_trails[i].size() - longest)
+		if length_of(i) > longest * 1.25:
+			_trails[i] = _trails[i].slice(_trails[i].size() - 2 * longest)
 
 
+# All trails are drawn with one call, because each call of its own costs as much as a long trail.
 func _draw() -> void:
 	var scale_now := board.pixels_per_unit
 	draw_set_transform(board.to_screen(Vec2.new()), 0.0, Vector2(scale_now, scale_now))
 	if _trails.size() > _MOST_BROAD:
 		_draw_hairlines()
-	else:
+	elif _trails:
 		_draw_broad(1.5 / scale_now)
 
 
-# One pixel wide at any scale, and the cheapest line there is.
+# One pixel wide at any scale, and the cheapest lines there are.
 func _draw_hairlines() -> void:
+	var strokes: PackedVector2Array = []
 	for trail in _trails:
-		if trail.size() > 1:
-			draw_polyline(trail, _color())
+		strokes.append_array(trail)
+	draw_multiline(strokes, _color())
 
 
-# All trails are one polyline, because each call of its own costs as much as a long trail: from the
-# end of one to the start of the next it cannot be seen.
+# One line through all places: from the end of a trail to the start of the next it cannot be seen.
 func _draw_broad(width: float) -> void:
-	var points: PackedVector2Array = []
+	var places: PackedVector2Array = []
 	var seams: PackedInt32Array = []
 	for trail in _trails:
-		if trail.size() > 1:
-			seams.append(points.size())
-			points.append(trail[0] - _SEAM)
-			points.append_array(trail)
-			seams.append(points.size())
-			points.append(trail[-1] + _SEAM)
-	if points:
-		draw_polyline_colors(points, _colors_of(points.size(), seams), width)
+		seams.append(places.size())
+		places.append(trail[0] - _SEAM)
+		for i in range(2, trail.size(), 2):
+			places.append(trail[i])
+		places.append(trail[-1])
+		seams.append(places.size())
+		places.append(trail[-1] + _SEAM)
+	draw_polyline_colors(places, _colors_of(places.size(), seams), width)
 
 
 func _colors_of(count: int, seams: PackedInt32Array) -> PackedColorArray:
