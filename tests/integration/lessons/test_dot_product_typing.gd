@@ -95,6 +95,8 @@ func test_a_field_that_is_left_untouched_changes_nothing() -> void:
 
 
 func test_a_number_that_was_not_entered_is_lost_without_an_error_on_the_way_back() -> void:
+	Navigation.open_lesson(get_tree(), LessonIndex.find(&"dot_product"))
+	await student.settle()
 	await student.click(field("x of a"))
 	await student.type_text("abc")
 	await student.press_pad(JOY_BUTTON_B)
