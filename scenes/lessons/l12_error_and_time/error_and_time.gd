@@ -50,6 +50,11 @@ func link_problem(linked: Dictionary) -> String:
 	return _model.problem_of(linked)
 
 
+func show_link(linked: Dictionary) -> void:
+	show_state(linked)
+	_begin()
+
+
 func _peer_cases(problem_id: String) -> Array[MeasuredCase]:
 	return PeerCases.of(problem_id, true, %Engine as Node)
 

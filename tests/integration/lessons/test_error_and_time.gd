@@ -82,7 +82,7 @@ func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
 
 
 func test_the_tab_key_reaches_the_plot() -> void:
-	(Screen.button(screen(), "Reset the lesson")).grab_focus()
+	(Screen.button(screen(), "Copy a link to this board")).grab_focus()
 	await student.press_key(KEY_TAB)
 	assert_true(_plot().has_focus())
 
