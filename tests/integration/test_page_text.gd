@@ -52,7 +52,7 @@ func test_every_lesson_says_its_title_and_a_step_or_its_progress() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
 		await open_lesson(lesson)
 		assert_string_contains(_lines()[0], lesson.title)
-		var is_told := _line_with("Step ") + _line_with("Stopped") + _line_with("Measuring")
+		var is_told := _line_with("Step ") + _line_with("Run ")
 		assert_true(lesson.id == &"angled_lines" or is_told != "", lesson.id)
 		screen().free()
 
