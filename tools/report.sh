@@ -22,21 +22,9 @@ for argument; do
 	esac
 done
 
-# The file `installed` is written last: an interrupted installation is begun anew.
-get_libraries() {
-	local wanted="box2d==$BOX2D_VERSION pymunk==$PYMUNK_VERSION"
-	[ "$(cat "$venv/installed" 2>/dev/null)" != "$wanted" ] || return 0
-	python3 -c 'import ensurepip, venv' 2>/dev/null ||
-		install_packages "python3 with venv is missing" python3-venv || return 1
-	say "installing $wanted into $venv"
-	rm -rf "$venv"
-	# shellcheck disable=SC2086 # two requirements, two words
-	python3 -m venv "$venv" && "$venv/bin/pip" install --quiet --disable-pip-version-check $wanted >&2 &&
-		echo "$wanted" >"$venv/installed"
-}
-
 measure_libraries() {
-	get_libraries && run_script report/write_shots.gd ${quick:+"$quick"} >"$folder/peers.log" &&
+	bring_python_packages "$venv" "box2d==$BOX2D_VERSION" "pymunk==$PYMUNK_VERSION" &&
+		run_script report/write_shots.gd ${quick:+"$quick"} >"$folder/peers.log" &&
 		"$venv/bin/python" "$LAB_ROOT/tools/report/peers.py" "$folder/shots.json" "$folder/peers.json"
 }
 
