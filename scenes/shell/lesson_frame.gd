@@ -161,13 +161,20 @@ func _open_requested() -> void:
 	var id := LessonRequest.take_id()
 	var other := LessonIndex.find(id)
 	if not id or id == lesson_info.id:
-		var problem := link.open(LessonRequest.take_state(lesson_info.id))
-		if problem:
-			_show_notice(problem)
+		_open_state(LessonRequest.take_state(lesson_info.id), id != "")
 	elif other:
 		other_lesson_wanted.emit(other)
 	else:
 		_show_notice(LessonRequest.refusal(id))
+
+
+# A link that names the lesson alone asks for its start; where nothing was asked it is there.
+func _open_state(text_of_state: String, is_named: bool) -> void:
+	if not text_of_state and not is_named:
+		return
+	var problem := link.open(text_of_state)
+	if problem:
+		_show_notice(problem)
 
 
 func _offer_way_back() -> void:

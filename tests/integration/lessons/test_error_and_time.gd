@@ -97,6 +97,13 @@ func test_another_situation_is_measured_at_once_and_undo_comes_back_to_what_was_
 	assert_true(_run().is_done())
 
 
+func test_a_link_to_a_situation_measures_it_at_once() -> void:
+	await _finish_measuring()
+	frame().follow_link("#error_and_time?situation=1")
+	assert_eq(_model().situation_place, 1)
+	assert_true(_run().is_going)
+
+
 func test_reset_begins_anew() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_reset")
