@@ -1,6 +1,6 @@
 extends SceneTree
 ## How many frames a second the lesson on angled lines draws while its balls fly, and what a frame
-## costs: opens the window, as a user does.
+## costs: opens the window, as `./lab run` does, and as the engine does by itself.
 ##
 ## Run with: ./lab bench frame_rate (without a display it brings one of its own)
 ## [br][br]
@@ -15,6 +15,8 @@ const FRAME := 1.0 / 60.0
 
 ## The lesson's situations with 1, 10 and 50 balls.
 const SITUATIONS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
+
+const DirectDrawing := preload("res://tools/direct_drawing.gd")
 
 var _lesson: Lesson
 
@@ -32,14 +34,24 @@ func _run() -> void:
 	root.add_child(frame)
 	_lesson = frame.lesson
 	print("\nWindow %d x %d, %s" % [root.size.x, root.size.y, _renderer()])
-	print("%d runs of %s s each; milliseconds per frame are averages\n" % [RUNS, SECONDS])
+	print("%d runs of %s s each; milliseconds per frame are averages" % [RUNS, SECONDS])
+	if DirectDrawing.can_help():
+		var drawing := DirectDrawing.new()
+		root.add_child(drawing)
+		await _print_table("As ./lab run opens it: drawn straight into the window")
+		drawing.free()
+	await _print_table("As the engine opens it")
+	quit()
+
+
+func _print_table(title: String) -> void:
+	print("\n%s\n" % title)
 	print(
 		"| balls | frames a second, best | worst | processor ms, best run | script, ms of 1/60 s |"
 	)
 	print("|---|---|---|---|---|")
 	for count: int in SITUATIONS:
 		await _print_row(count)
-	quit()
 
 
 func _print_row(count: int) -> void:

@@ -17,6 +17,7 @@ draw() {
 	local picture=$pictures/$2.png log=$pictures/$2.log status=0
 	local arguments=("--picture=$picture")
 	[ "$1" = start_screen ] || arguments+=("--lesson=$1")
+	[ -z "$screen" ] || arguments+=(--check-window)
 	rm -f "$picture"
 	"$LAB_ROOT/tools/run_with_patience.sh" 60 "$godot" --path "$LAB_ROOT" --audio-driver Dummy \
 		--rendering-driver opengl3 --resolution "$3" --fixed-fps 60 -s tools/draw_picture.gd -- "${arguments[@]}" \

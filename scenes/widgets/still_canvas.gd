@@ -7,6 +7,8 @@ extends SubViewport
 
 # The picture hides what is below it; mixing the two would cost as much again.
 const _OPAQUE := "shader_type canvas_item; render_mode unshaded, blend_disabled;"
+# What is drawn into a see-through picture is already multiplied by its opacity.
+const _SEE_THROUGH := "shader_type canvas_item; render_mode unshaded, blend_premul_alpha;"
 
 
 func _init() -> void:
@@ -15,12 +17,13 @@ func _init() -> void:
 	render_target_update_mode = SubViewport.UPDATE_DISABLED
 
 
-## Prepares [param item], which shows the picture by [method draw_on]; not what lies on it.
+## Prepares [param item], which shows the picture by [method draw_on]; not what lies on it. Comes
+## after `transparent_bg`, which is for a picture that does not fill its rectangle.
 func prepare(item: CanvasItem) -> void:
-	var opaque := ShaderMaterial.new()
-	opaque.shader = Shader.new()
-	opaque.shader.code = _OPAQUE
-	item.material = opaque
+	var as_it_is := ShaderMaterial.new()
+	as_it_is.shader = Shader.new()
+	as_it_is.shader.code = _SEE_THROUGH if transparent_bg else _OPAQUE
+	item.material = as_it_is
 	# The node's own texture_filter would be inherited by what lies on it.
 	var nearest := RenderingServer.CANVAS_ITEM_TEXTURE_FILTER_NEAREST
 	RenderingServer.canvas_item_set_default_texture_filter(item.get_canvas_item(), nearest)

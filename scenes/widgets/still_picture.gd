@@ -5,10 +5,14 @@ extends MarginContainer
 ## Without a graphics card a panel full of buttons and text takes longer to draw than everything
 ## that flies over the board; and it stands still while it flies.
 
+## Its children do not fill it: what lies below is seen at round corners and in gaps.
+@export var is_see_through := false
+
 var _canvas := StillCanvas.new()
 
 
 func _ready() -> void:
+	_canvas.transparent_bg = is_see_through
 	add_child(_canvas, false, Node.INTERNAL_MODE_FRONT)
 	_canvas.prepare(self)
 	for child in get_children():

@@ -156,11 +156,16 @@ func copy(only: int = -1) -> SteppedWorld:
 ## All that moves, as plain numbers: counters, then place, velocity and loss of each ball.
 func state() -> PackedFloat64Array:
 	var packed: PackedFloat64Array = [frames, bounces, losses]
+	packed.resize(_NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * balls.size())
+	var at := _NUMBERS_IN_FRONT
 	for i in balls.size():
 		var ball := balls[i]
-		packed.append_array(
-			[ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y, is_lost[i]]
-		)
+		packed[at] = ball.position.x
+		packed[at + 1] = ball.position.y
+		packed[at + 2] = ball.velocity.x
+		packed[at + 3] = ball.velocity.y
+		packed[at + 4] = is_lost[i]
+		at += _NUMBERS_PER_BALL
 	return packed
 
 

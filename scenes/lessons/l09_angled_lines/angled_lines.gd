@@ -28,7 +28,8 @@ var _problem := ""
 
 
 func start() -> void:
-	(%Grid as Grid).take(_lines)
+	for part: CanvasItem in [_lines, _gravity]:
+		(%Grid as Grid).take(part)
 	snap_step = _SNAP_STEP
 	var formula := services[&"formula"] as Formula
 	_formula = AngledLinesFormula.new(formula)

@@ -4,7 +4,7 @@ extends RefCounted
 
 # A screen's frames between two looks at it: while balls move, numbers change slowly enough to be
 # read.
-const _FRAMES_BETWEEN := 6
+const _FRAMES_BETWEEN := 15
 
 var _formula: Formula
 var _frames_unshown := 0

@@ -4,7 +4,7 @@ extends BoardPart
 ## forgets the latest frame when time goes back.
 
 # Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
-const _MOST_PLACES := 2000
+const _MOST_PLACES := 1500
 const _LONGEST := 1800
 
 # More trails than this are drawn as hairlines: so many cross each other anyway.

@@ -67,8 +67,22 @@ func test_the_picture_is_as_large_as_what_it_shows() -> void:
 	assert_gte(_picture.size.x, 300.0)
 
 
-func _canvas() -> StillCanvas:
-	for child in _picture.get_children(true):
+func test_only_a_see_through_picture_is_mixed_with_what_lies_below() -> void:
+	assert_false(_canvas().transparent_bg)
+	assert_string_contains(_shader_of(_picture), "blend_disabled")
+	var card := StillPicture.new()
+	card.is_see_through = true
+	add_child_autofree(card)
+	assert_true(_canvas(card).transparent_bg)
+	assert_string_contains(_shader_of(card), "blend_premul_alpha")
+
+
+func _shader_of(picture: StillPicture) -> String:
+	return (picture.material as ShaderMaterial).shader.code
+
+
+func _canvas(of: StillPicture = _picture) -> StillCanvas:
+	for child in of.get_children(true):
 		if child is StillCanvas:
 			return child as StillCanvas
 	return null
