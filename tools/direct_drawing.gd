@@ -19,7 +19,8 @@ var _corner := SubViewport.new()
 ## Whether it is known to work here, and to be worth it: a processor draws.
 static func can_help() -> bool:
 	var engine: String = Engine.get_version_info()["string"]
-	return engine.begins_with(_ENGINE) and RenderingServer.get_video_adapter_name().begins_with(_RENDERER)
+	var renderer := RenderingServer.get_video_adapter_name()
+	return engine.begins_with(_ENGINE) and renderer.begins_with(_RENDERER)
 
 
 func _ready() -> void:

@@ -204,10 +204,11 @@ func _move(index: int, seconds: float) -> void:
 	if ball.position.x == x and ball.position.y == y:
 		if ball.velocity.x == across and ball.velocity.y == down:
 			_is_still[index] = 1
-	for record in records:
-		record.ball_index = index
-	bounces += records.size()
-	latest_bounces.append_array(records)
+	if records:
+		for record in records:
+			record.ball_index = index
+		bounces += records.size()
+		latest_bounces.append_array(records)
 	if not reaches(ball.position):
 		is_lost[index] = 1
 		losses += 1

@@ -27,11 +27,14 @@ func _draw() -> void:
 		return
 	meter.start()
 	var color := Palette.color(role)
+	# As Board.to_screen, once for all balls: they are never far away, and there may be many.
+	var origin := board.to_screen(Vec2.new())
+	var unit := Vector2(1.0, board.y_sign()) * board.pixels_per_unit
 	for i in _world.balls.size():
 		if _world.is_lost[i] == 0:
 			var ball := _world.balls[i]
-			var pixels := maxf(ball.radius * board.pixels_per_unit, 2.0)
-			_draw_ball(board.to_screen(ball.position), pixels, color)
+			var middle := origin + ball.position.to_vector2() * unit
+			_draw_ball(middle, maxf(ball.radius * unit.x, 2.0), color)
 	meter.stop()
 
 
