@@ -42,8 +42,8 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 func _ready() -> void:
 	WindowFit.follow(get_window())
-	# What stands in the frame fills the window. Told that it need not, the engine draws with 8 bits a
-	# color instead of 10, in which mixing without a graphics card takes two thirds of the time.
+	# The frame fills the window, so the window may count as transparent. The engine then keeps 8 bits
+	# a colour instead of 10; without a graphics card those are mixed in two thirds of the time.
 	get_window().transparent_bg = true
 	Signs.add_to_font()
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]

