@@ -31,13 +31,19 @@ func _ready() -> void:
 	_corner.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	add_child(_corner)
 	RenderingServer.viewport_attach_to_screen(_corner.get_viewport_rid(), _CORNER)
-	RenderingServer.viewport_set_render_direct_to_screen(get_window().get_viewport_rid(), true)
+	_draw_directly(true)
 
 
 func _exit_tree() -> void:
+	_draw_directly(false)
+	_lay(get_window().get_final_transform())
+
+
+func _draw_directly(directly: bool) -> void:
 	var window := get_window()
-	RenderingServer.viewport_set_render_direct_to_screen(window.get_viewport_rid(), false)
-	_lay(window.get_final_transform())
+	RenderingServer.viewport_set_render_direct_to_screen(window.get_viewport_rid(), directly)
+	# What stays on the screen has to be put on this one.
+	window.size_changed.emit()
 
 
 # In every frame, because the engine lays the canvas anew with each change of the window.

@@ -44,6 +44,7 @@ func _is_shown_by_direct_drawing(picture: Image) -> bool:
 	if not CHECK_WINDOW in OS.get_cmdline_user_args() or not DirectDrawing.can_help():
 		return true
 	root.add_child(DirectDrawing.new())
+	await _cover_for_a_moment()
 	for frame: int in FRAMES:
 		await process_frame
 	var window := Rect2i(root.position, root.size)
@@ -51,6 +52,18 @@ func _is_shown_by_direct_drawing(picture: Image) -> bool:
 	if differing > MOST_DIFFERING:
 		print("%.1f %% of the pixels in the window differ" % (differing * 100.0))
 	return differing <= MOST_DIFFERING
+
+
+# A menu or tooltip that comes and goes leaves nothing behind.
+func _cover_for_a_moment() -> void:
+	for frame: int in FRAMES:
+		await process_frame
+	var cover := PopupPanel.new()
+	root.add_child(cover)
+	cover.popup(Rect2i(Vector2i.ZERO, root.size))
+	for frame: int in FRAMES:
+		await process_frame
+	cover.free()
 
 
 func _share_differing(picture: Image, other: Image) -> float:

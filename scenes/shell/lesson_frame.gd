@@ -42,9 +42,7 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 func _ready() -> void:
 	WindowFit.follow(get_window())
-	# The frame fills the window, so the window may count as transparent. The engine then keeps 8 bits
-	# a colour instead of 10; without a graphics card those are mixed in two thirds of the time.
-	get_window().transparent_bg = true
+	_fill_window(true)
 	Signs.add_to_font()
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
 	_offer_way_back()
@@ -69,7 +67,7 @@ func follow_link(text: String) -> void:
 
 
 func _exit_tree() -> void:
-	get_window().transparent_bg = false
+	_fill_window(false)
 	_history.free()
 
 
@@ -94,6 +92,16 @@ func _input(event: InputEvent) -> void:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
 		_show_help(true)
+
+
+# The frame fills the window with every frame, so nothing has to be cleared before, and the window
+# may count as transparent: the engine then keeps 8 bits a colour instead of 10, which are mixed in
+# two thirds of the time without a graphics card.
+func _fill_window(fills: bool) -> void:
+	var server := RenderingServer
+	var mode := server.VIEWPORT_CLEAR_NEVER if fills else server.VIEWPORT_CLEAR_ALWAYS
+	server.viewport_set_clear_mode(get_window().get_viewport_rid(), mode)
+	get_window().transparent_bg = fills
 
 
 func _open() -> void:

@@ -7,6 +7,15 @@ extends MarginContainer
 
 ## Its children do not fill it: what lies below is seen at round corners and in gaps.
 @export var is_see_through := false
+## Once on the screen it is not put there again while nothing changes: where the window is not
+## cleared, and nothing but menus, tooltips and other windows inside of it is drawn over the picture.
+@export var stays_on_screen := false
+
+## It is put on the screen with the next frame.
+var is_put_on_screen := true:
+	set(value):
+		is_put_on_screen = value
+		RenderingServer.canvas_item_set_visible(get_canvas_item(), value and is_visible_in_tree())
 
 var _canvas := StillCanvas.new()
 
@@ -20,11 +29,29 @@ func _ready() -> void:
 	child_entered_tree.connect(_take)
 	resized.connect(_fit)
 	get_viewport().size_changed.connect(_fit)
+	if stays_on_screen:
+		set_notify_transform(true)
+		_canvas.changed.connect(_put_on_screen)
+		RenderingServer.frame_post_draw.connect(_stay)
 	_fit()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_TRANSFORM_CHANGED:
+		_put_on_screen()
 
 
 func _draw() -> void:
 	_canvas.draw_on(self)
+
+
+func _put_on_screen() -> void:
+	is_put_on_screen = true
+
+
+# It has just been put there; other windows may come and go over it.
+func _stay() -> void:
+	is_put_on_screen = not get_window().get_embedded_subwindows().is_empty()
 
 
 func _fit() -> void:

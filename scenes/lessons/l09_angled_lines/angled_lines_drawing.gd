@@ -72,8 +72,9 @@ func follow_step(model: AngledLinesModel, is_forward: bool) -> void:
 		if model.wrong_world:
 			_wrong_trails.add_frame(model.wrong_world)
 	else:
-		_trails.remove_frame()
-		_wrong_trails.remove_frame()
+		_trails.remove_frame(model.world)
+		if model.wrong_world:
+			_wrong_trails.remove_frame(model.wrong_world)
 
 
 ## Shows what comes next for the selected ball, and what would come with the mistake.

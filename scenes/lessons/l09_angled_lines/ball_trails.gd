@@ -3,11 +3,12 @@ extends BoardPart
 ## The paths that the balls of a world have taken, frame by frame and through every point of impact;
 ## forgets the latest frame when time goes back.
 
-# Places of all balls together that are drawn at most; a single ball keeps a shorter trail still.
-const _MOST_PLACES := 1500
+# Frames of all balls together that are drawn at most; a single ball keeps a shorter trail still.
+const _MOST_FRAMES := 1500
 const _LONGEST := 1800
 
-# More trails than this are drawn as hairlines: so many cross each other anyway.
+# More trails than this are drawn as hairlines, with a stroke for every second frame: so many cross
+# each other anyway.
 const _MOST_BROAD := 20
 # From the end of a trail to where it cannot be seen any more, in pixels of the plane.
 const _SEAM := Vector2(0.01, 0.0)
@@ -19,12 +20,15 @@ const _SEAM := Vector2(0.01, 0.0)
 var _trails: Array[PackedVector2Array] = []
 # How many strokes each ball got in each frame, the latest last.
 var _counts: Array[PackedInt32Array] = []
+# The next frame gets strokes of its own; else it makes the latest ones longer.
+var _is_new_stroke := true
 
 
 ## Forgets all paths and begins new ones where the balls of [param world] are.
 func begin(world: SteppedWorld) -> void:
 	_counts.clear()
 	_trails.clear()
+	_is_new_stroke = true
 	for ball in world.balls:
 		var place := ball.position.to_vector2()
 		_trails.append(PackedVector2Array([place, place]))
@@ -39,26 +43,37 @@ func add_frame(world: SteppedWorld) -> void:
 		_add_stroke(record.ball_index, record.position.to_vector2())
 		counts[record.ball_index] += 1
 	for i in world.balls.size():
-		_add_stroke(i, world.balls[i].position.to_vector2())
-		counts[i] += 1
+		var place := world.balls[i].position.to_vector2()
+		if _is_new_stroke or counts[i] > 0:
+			_add_stroke(i, place)
+			counts[i] += 1
+		else:
+			_trails[i][-1] = place
 	_counts.append(counts)
 	_shorten()
+	_turn_stroke()
 	queue_redraw()
 
 
-## Takes the latest frame away again.
-func remove_frame() -> void:
+## Takes the latest frame away again; [param world] is back where it was before it.
+func remove_frame(world: SteppedWorld) -> void:
 	if _counts.is_empty():
 		return
 	var counts: PackedInt32Array = _counts.pop_back()
 	for i in _trails.size():
 		_trails[i].resize(maxi(_trails[i].size() - 2 * counts[i], 2))
+		_trails[i][-1] = world.balls[i].position.to_vector2()
+	_turn_stroke()
 	queue_redraw()
 
 
-## How many places the trail of one ball has now.
-func length_of(index: int) -> int:
-	return floori(_trails[index].size() / 2.0)
+## The places of the trail of one ball, the latest last.
+func places_of(index: int) -> PackedVector2Array:
+	var trail := _trails[index]
+	var places: PackedVector2Array = []
+	for i in range(1, trail.size(), 2):
+		places.append(trail[i])
+	return places
 
 
 func _add_stroke(index: int, place: Vector2) -> void:
@@ -67,13 +82,23 @@ func _add_stroke(index: int, place: Vector2) -> void:
 	trail.append(place)
 
 
+func _turn_stroke() -> void:
+	_is_new_stroke = not _is_new_stroke or not _has_hairlines()
+
+
+func _has_hairlines() -> bool:
+	return _trails.size() > _MOST_BROAD
+
+
 func _shorten() -> void:
-	var longest := mini(floori(float(_MOST_PLACES) / maxi(_trails.size(), 1)), _LONGEST)
+	var frames_per_stroke := 2.0 if _has_hairlines() else 1.0
+	var most := floori(_MOST_FRAMES / frames_per_stroke / maxi(_trails.size(), 1))
+	var longest := mini(most, _LONGEST)
 	if _counts.size() > _LONGEST:
 		_counts.pop_front()
 	for i in _trails.size():
 		# Cut rarely and much: cutting moves the whole array.
-		if length_of(i) > longest * 1.25:
+		if _trails[i].size() > 2.5 * longest:
 			_trails[i] = _trails[i].slice(_trails[i].size() - 2 * longest)
 
 
@@ -81,7 +106,7 @@ func _shorten() -> void:
 func _draw() -> void:
 	var scale_now := board.pixels_per_unit
 	draw_set_transform(board.to_screen(Vec2.new()), 0.0, Vector2(scale_now, scale_now))
-	if _trails.size() > _MOST_BROAD:
+	if _has_hairlines():
 		_draw_hairlines()
 	elif _trails:
 		_draw_broad(1.5 / scale_now)

@@ -163,13 +163,29 @@ func test_d_hides_trails_and_c_clears_them() -> void:
 	var trails := frame().lesson.get_node("%Trails") as BallTrails
 	for i: int in 3:
 		await student.press(&"lab_step")
-	assert_eq(trails.length_of(0), 4)
+	assert_eq(trails.places_of(0).size(), 4)
 	await student.press(&"lab_step_back")
-	assert_eq(trails.length_of(0), 3)
+	assert_eq(trails.places_of(0).size(), 3)
 	await student.press(&"lab_clear_trails")
-	assert_eq(trails.length_of(0), 1)
+	assert_eq(trails.places_of(0).size(), 1)
 	await student.press(&"lab_toggle_trails")
 	assert_false(trails.visible)
+
+
+func test_trails_of_many_balls_end_at_the_balls_forward_and_back() -> void:
+	var trails := frame().lesson.get_node("%Trails") as BallTrails
+	await student.press(&"lab_preset_8")
+	var past: Array[PackedVector2Array] = []
+	for i: int in 12:
+		past.append(_all_places(trails))
+		await student.press(&"lab_step")
+		_assert_trails_end_at_the_balls(trails)
+	# A stroke for two frames, and one more at a bounce.
+	var strokes := _all_places(trails).size() - past[0].size()
+	assert_between(strokes, 6 * 50, 6 * 50 + 2 * _world().bounces)
+	for i: int in 12:
+		await student.press(&"lab_step_back")
+		assert_true(_all_places(trails) == past[11 - i], "trails %d steps back" % (i + 1))
 
 
 func test_a_lost_ball_is_counted_and_fetched() -> void:
@@ -242,6 +258,20 @@ func _ball() -> Ball:
 
 func _lines() -> Array[LineSegment]:
 	return _world().surroundings.segments
+
+
+func _all_places(trails: BallTrails) -> PackedVector2Array:
+	var places: PackedVector2Array = []
+	for i in _world().balls.size():
+		places.append_array(trails.places_of(i))
+	return places
+
+
+func _assert_trails_end_at_the_balls(trails: BallTrails) -> void:
+	for i in _world().balls.size():
+		var gap := trails.places_of(i)[-1].distance_to(_world().balls[i].position.to_vector2())
+		if gap > 0.0:
+			fail_test("The trail of ball %d ends %s px from it." % [i, gap])
 
 
 func _gravity() -> Vec2:

@@ -77,6 +77,64 @@ func test_only_a_see_through_picture_is_mixed_with_what_lies_below() -> void:
 	assert_string_contains(_shader_of(card), "blend_premul_alpha")
 
 
+func test_a_picture_that_stays_is_put_on_the_screen_only_with_what_has_changed() -> void:
+	await _let_it_stay()
+	assert_false(_picture.is_put_on_screen)
+	_label.text = "five"
+	await get_tree().process_frame
+	assert_true(_picture.is_put_on_screen)
+	_draw_frame()
+	assert_false(_picture.is_put_on_screen)
+
+
+func test_a_picture_that_stays_is_put_where_it_has_moved() -> void:
+	await _let_it_stay()
+	(_picture.get_parent() as Control).position.x += 10.0
+	await get_tree().process_frame
+	assert_true(_picture.is_put_on_screen)
+
+
+func test_a_picture_that_stays_is_put_below_a_menu_and_where_the_menu_was() -> void:
+	await _let_it_stay()
+	var menu := PopupMenu.new()
+	add_child_autofree(menu)
+	menu.popup()
+	_draw_frame()
+	assert_true(_picture.is_put_on_screen)
+	menu.hide()
+	_draw_frame()
+	assert_false(_picture.is_put_on_screen)
+
+
+func test_a_window_of_another_size_has_to_show_it_again() -> void:
+	await _let_it_stay()
+	get_viewport().size_changed.emit()
+	assert_true(_picture.is_put_on_screen)
+
+
+func test_only_a_picture_that_stays_is_ever_left_out() -> void:
+	_draw_frame()
+	assert_true(_picture.is_put_on_screen)
+
+
+func _let_it_stay() -> void:
+	var place := Control.new()
+	add_child_autofree(place)
+	_picture.free()
+	_picture = StillPicture.new()
+	_picture.stays_on_screen = true
+	_label = Label.new()
+	_picture.add_child(_label)
+	place.add_child(_picture)
+	await _settle()
+	_draw_frame()
+
+
+# Without a screen the engine draws nothing.
+func _draw_frame() -> void:
+	RenderingServer.frame_post_draw.emit()
+
+
 func _shader_of(picture: StillPicture) -> String:
 	return (picture.material as ShaderMaterial).shader.code
 
