@@ -7,8 +7,8 @@ extends MarginContainer
 
 ## Its children do not fill it: what lies below is seen at round corners and in gaps.
 @export var is_see_through := false
-## Once on the screen it is not put there again while nothing changes: where the window is not
-## cleared, and nothing but menus, tooltips and other windows inside of it is drawn over the picture.
+## Once on the screen it is not put there again while nothing changes. For a window that is not
+## cleared, where only menus, tooltips and other windows inside of it are drawn over the picture.
 @export var stays_on_screen := false
 
 ## It is put on the screen with the next frame.
