@@ -40,3 +40,18 @@ func has_answer() -> bool:
 ## A situation and a tuning in one text.
 static func setting_of(of_situation: String, with_tuning: String) -> String:
 	return of_situation if with_tuning == "" else of_situation + ", " + with_tuning
+
+
+## The measurements of one problem.
+static func of_problem(id: String, measurements: Array[Measurement]) -> Array[Measurement]:
+	return measurements.filter(func(row: Measurement) -> bool: return row.problem == id)
+
+
+## The methods that were measured, each once: the lab's own first.
+static func methods_in(measurements: Array[Measurement]) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for peers: bool in [false, true]:
+		for measurement in measurements:
+			if measurement.is_peer == peers and not found.has(measurement.method):
+				found.append(measurement.method)
+	return found

@@ -20,7 +20,7 @@ const LESSON_LIMIT := 400_000
 
 const _IN_NO_PACK: PackedStringArray = ["addons", "benchmarks", "docs", "tests", "tools"]
 const _IN_NO_VECTOR_LESSON: PackedStringArray = [
-	"scripts/collision", "scripts/world", "scripts/report", "scenes/peers"
+	"scripts/collision", "scripts/world", "scripts/report", "scenes/engine_cases"
 ]
 
 

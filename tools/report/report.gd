@@ -27,7 +27,7 @@ func _init() -> void:
 	var others := OtherLibraries.measurements()
 	for problem: ReportProblem in problems:
 		measurements.append_array(await Runner.measure(problem, _is_quick, root))
-		measurements.append_array(ReportText.of_problem(problem.id, others))
+		measurements.append_array(Measurement.of_problem(problem.id, others))
 	ReportFiles.write(problems, measurements, " --quick" if _is_quick else "")
 	quit()
 

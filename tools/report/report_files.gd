@@ -9,7 +9,7 @@ static func write(
 ) -> void:
 	_write_text("error_vs_time.csv", MeasurementTable.to_csv(measurements))
 	for problem: ReportProblem in problems:
-		var rows := ReportText.of_problem(problem.id, measurements)
+		var rows := Measurement.of_problem(problem.id, measurements)
 		_write_text(problem.id + ".svg", ProblemPicture.of(problem, rows))
 	_write_text("report.md", ReportText.of(problems, measurements, _circumstances(form)))
 

@@ -47,7 +47,7 @@ func test_no_pack_holds_or_names_tests_tools_documents_or_the_test_runner() -> v
 func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
 	var classes := FileAccess.get_file_as_string("res://.godot/global_script_class_cache.cfg")
 	assert_string_contains(classes, "res://tests/support/lab_test.gd")
-	assert_string_contains(_list_of_classes("lab"), "res://scripts/world/event_world.gd")
+	assert_string_contains(_list_of_classes("lab"), "res://scripts/world/event/event_world.gd")
 
 
 func test_a_pack_holds_the_input_actions_of_its_scripts_only() -> void:

@@ -20,7 +20,7 @@ func test_classes_paths_parents_and_what_scenes_name_are_followed() -> void:
 	]
 	for file: String in wanted:
 		assert_has(needed.files, file)
-	assert_does_not_have(needed.files, "res://scripts/world/event_world.gd")
+	assert_does_not_have(needed.files, "res://scripts/world/event/event_world.gd")
 	assert_does_not_have(needed.files, "res://scripts/shapes/ball.gd")
 	assert_does_not_have(needed.files, "res://scenes/widgets/board/plot.gd")
 	assert_eq(needed.problems, PackedStringArray())

@@ -12,15 +12,17 @@ func after_each() -> void:
 
 
 func test_a_script_that_nothing_uses_is_found() -> void:
-	var broken := _broken_by("angled_lines", MadePack.script("scripts/world/event_world.gd"))
+	var broken := _broken_by("angled_lines", MadePack.script("scripts/world/event/event_world.gd"))
 	assert_string_contains(
-		broken, "angled_lines holds scripts/world/event_world.gdc, which nothing"
+		broken, "angled_lines holds scripts/world/event/event_world.gdc, which nothing"
 	)
 
 
 func test_code_of_collisions_in_the_dot_product_is_found() -> void:
 	for path: String in [
-		"scripts/collision/impact.gd", "scripts/world/event_world.gd", "scripts/report/shot.gd"
+		"scripts/collision/impact.gd",
+		"scripts/world/event/event_world.gd",
+		"scripts/report/cases/shot.gd"
 	]:
 		var sentence := "dot_product holds res://%s: it has no business there" % path
 		assert_string_contains(_broken_by("dot_product", MadePack.script(path)), sentence)

@@ -11,7 +11,7 @@ static func of(problems: Array[ReportProblem], measurements: Array[Measurement])
 	var lines: PackedStringArray = []
 	var is_measured := false
 	for problem in problems:
-		var rows := ReportText.of_problem(problem.id, measurements)
+		var rows := Measurement.of_problem(problem.id, measurements)
 		for situation in ProblemPicture.situations_in(rows):
 			var rows_there := ProblemPicture.in_situation(situation, rows)
 			for library in LIBRARIES:

@@ -16,8 +16,19 @@ func _need(problem: String) -> void:
 		refusal = problem
 
 
+# A case whose trial is a method of this family, or one with arguments bound. The lambda keeps the
+# family alive as long as the case; a method's name alone would not.
 func _case(title: String, criterion: String, trial: Callable) -> StabilityCase:
-	return StabilityCase.new(title, criterion, self, trial)
+	return StabilityCase.new(
+		title, criterion, func(is_quick: bool) -> StabilityResult: return _tried(trial, is_quick)
+	)
+
+
+# A world that refused something during the trial has failed, and its sentence is the figure.
+func _tried(trial: Callable, is_quick: bool) -> StabilityResult:
+	refusal = ""
+	var result: StabilityResult = trial.call(is_quick)
+	return StabilityResult.new(refusal, false) if refusal else result
 
 
 # A world in which nothing has happened yet.

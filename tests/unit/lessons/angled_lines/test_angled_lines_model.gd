@@ -89,7 +89,7 @@ func test_full_gravity_before_the_bounce_gains_energy() -> void:
 func test_every_named_test_exists() -> void:
 	for mistake: MistakeInfo in AngledLinesMistakes.all():
 		var parts := mistake.test.split(".")
-		var path := "res://tests/unit/world/%s.gd" % parts[0]
+		var path := "res://tests/unit/world/stepped/%s.gd" % parts[0]
 		var code := FileAccess.get_file_as_string(path)
 		assert_string_contains(code, "func %s()" % parts[1])
 

@@ -21,15 +21,10 @@ static func of(
 	if libraries:
 		parts.append(libraries)
 	for problem in problems:
-		var rows := of_problem(problem.id, measurements)
+		var rows := Measurement.of_problem(problem.id, measurements)
 		if not rows.is_empty():
 			parts.append(_problem(problem, rows))
 	return "\n\n".join(parts) + "\n"
-
-
-## The measurements of one problem.
-static func of_problem(id: String, measurements: Array[Measurement]) -> Array[Measurement]:
-	return measurements.filter(func(row: Measurement) -> bool: return row.problem == id)
 
 
 static func _goals(measurements: Array[Measurement]) -> String:

@@ -48,7 +48,7 @@ func remarks(rows: Array[Measurement]) -> String:
 		"| µs a frame | %s | growth exponent |" % " | ".join(heads),
 		"|---|" + "---|".repeat(COUNTS.size() + 1),
 	]
-	for method in PlotMarker.for_methods(rows):
+	for method in Measurement.methods_in(rows):
 		var cells: PackedStringArray = [method]
 		for count in COUNTS:
 			cells.append(FigureText.short(time_of(method, count, rows) / _FRAMES))

@@ -31,14 +31,14 @@ const CROWD_OVERLAP := 1e-9
 
 ## Every goal, judged where this run has measured what it needs.
 static func of(measurements: Array[Measurement]) -> Array[ReportGoal]:
-	var box := ReportText.of_problem("ball_in_box", measurements)
+	var box := Measurement.of_problem("ball_in_box", measurements)
 	var found: Array[ReportGoal] = [_frontier(box)]
 	for method: String in WAYS:
 		for speed in BOX_RATIOS:
 			found.append(_box_ratio(box, speed, method))
 	found.append(_box_error(box))
-	found.append_array(_segments(ReportText.of_problem("many_segments", measurements)))
-	found.append_array(_crowd(ReportText.of_problem("many_balls", measurements)))
+	found.append_array(_segments(Measurement.of_problem("many_segments", measurements)))
+	found.append_array(_crowd(Measurement.of_problem("many_balls", measurements)))
 	return found
 
 

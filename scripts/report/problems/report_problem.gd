@@ -2,8 +2,8 @@
 extends RefCounted
 ## A problem that several methods solve: what is asked, and who can be measured at it.
 ##
-## [method cases] are the lab's own. The engine's are in scenes/peers/, because nothing here may
-## know of nodes and physics.
+## [method cases] lists the lab's own methods. Those of the engine are in `scenes/engine_cases/`,
+## because nothing below `scripts/` may use nodes or physics.
 
 ## A word for files and tables, such as ball_in_box.
 var id := ""
