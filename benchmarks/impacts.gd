@@ -25,7 +25,7 @@ const CASES: Dictionary[String, Array] = {
 	"starts inside, leaves, falls back": [0, -5, 60, -200, 0, 400, 10, -300, 0, 300, 0],
 }
 
-var _solver := AcceleratedImpact.new()
+var _solver := AcceleratedImpactFinder.new()
 var _hits := 0
 
 

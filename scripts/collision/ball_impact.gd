@@ -3,7 +3,7 @@ extends RefCounted
 ## The exact impact of two balls in straight flight, and both velocities after it.
 ##
 ## Seen from the second ball, the first one flies straight at a point with the sum of both radii.
-## [StraightImpact] finds the time in plain doubles; a glancing blow turns its last bits into a
+## [StraightImpactFinder] finds the time in plain doubles; a glancing blow turns its last bits into a
 ## normal that is far less exact. So the time is improved in [DoubleDouble] by Newton's method for
 ## |d + v t|² = R², and normal and velocities are worked out with it: they are right to the last
 ## bits for the very numbers of both balls. Slow: about 0.1 ms.
@@ -33,7 +33,7 @@ var _relative: Array[DoubleDouble]
 ## normal, and no impact.
 static func between(one: Ball, other: Ball, bounciness: float = 1.0) -> BallImpact:
 	var impact := BallImpact.new()
-	var finder := StraightImpact.new()
+	var finder := StraightImpactFinder.new()
 	var to_one := one.position.minus(other.position)
 	var velocity := one.velocity.minus(other.velocity)
 	impact.hit = finder.with_point(

@@ -203,7 +203,7 @@ func _try_cells(around: int, cells: PackedInt32Array) -> void:
 			other = next[other]
 
 
-# Takes the other ball as partner if both meet before all that was found, as StraightImpact does it.
+# Takes the other ball as partner if both meet before all that was found, as StraightImpactFinder does it.
 func _try_partner(other: int) -> void:
 	var flown := (time - _start[other]) + (_time_low - _start_low[other])
 	var pulled_x := _pull_x[other] * flown

@@ -32,7 +32,7 @@ var _piece: PackedFloat64Array = []
 # never comes back to it.
 var _left_surface: PackedInt32Array = []
 var _left_speed: PackedFloat64Array = []
-var _accelerated := AcceleratedImpact.new()
+var _accelerated := AcceleratedImpactFinder.new()
 # What the search under a pull has found so far.
 var _seconds := INF
 var _surface := NOTHING

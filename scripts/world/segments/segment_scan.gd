@@ -3,7 +3,7 @@ extends SegmentList
 ## The first of many segments that a flying ball meets, found by looking at all. [SegmentGrid] finds
 ## the same impact by looking at those near the path.
 ##
-## The answer is what [StraightImpact] and [AcceleratedImpact] say of each segment. The steps of the
+## The answer is what [StraightImpactFinder] and [AcceleratedImpactFinder] say of each segment. The steps of the
 ## first stand here once more, and most segments are put aside by a few of them, because every
 ## prediction of an [EventWorld] runs through this.
 
@@ -33,8 +33,8 @@ var _skipped := -1
 # The radius times the speed, squared, and a little more.
 var _reach_squared := 0.0
 var _slack := TOUCH
-var _straight := StraightImpact.new()
-var _accelerated := AcceleratedImpact.new()
+var _straight := StraightImpactFinder.new()
+var _accelerated := AcceleratedImpactFinder.new()
 
 
 ## Whether a ball in straight flight meets a segment within [param horizon] seconds; the segment at
@@ -108,7 +108,7 @@ func _try(place: int) -> void:
 	var start_y := _start_y[place]
 	var along_x := _end_x[place] - start_x
 	var along_y := _end_y[place] - start_y
-	# As in StraightImpact: distance from the line and approach to it, times the segment's length.
+	# As in StraightImpactFinder: distance from the line and approach to it, times the segment's length.
 	var distance := along_x * (_y - start_y) - along_y * (_x - start_x)
 	var approach := along_y * _velocity_x - along_x * _velocity_y
 	if distance < 0.0:

@@ -36,7 +36,7 @@ func test_time_normal_and_velocities_are_right_to_the_last_bits() -> void:
 
 func test_the_plain_time_is_as_good() -> void:
 	var times := WorstErrors.new()
-	var finder := StraightImpact.new()
+	var finder := StraightImpactFinder.new()
 	for row: int in _table.size():
 		var one := _ball(row, "1")
 		var other := _ball(row, "2")

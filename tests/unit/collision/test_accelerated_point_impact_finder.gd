@@ -3,7 +3,7 @@ extends LabTest
 
 var _table := ImpactTable.new("ball_segment_gravity")
 var _pairs := ImpactTable.new("ball_ball")
-var _solver := AcceleratedPointImpact.new()
+var _solver := AcceleratedPointImpactFinder.new()
 
 
 func test_an_end_that_is_touched_first_is_touched_alone_at_the_same_time() -> void:

@@ -5,7 +5,7 @@ const _TIME_BOUND := 4.0
 const _NORMAL_BOUND := 4.0
 
 var _table := ImpactTable.new("ball_segment")
-var _solver := StraightImpact.new()
+var _solver := StraightImpactFinder.new()
 
 
 func test_hit_or_miss_agrees_in_every_row() -> void:

@@ -1,4 +1,4 @@
-class_name AcceleratedPointImpact
+class_name AcceleratedPointImpactFinder
 extends RefCounted
 ## The exact impact of a ball under constant acceleration with a point: its centre enters the circle
 ## of its radius about the point. Time is in seconds.

@@ -1,4 +1,4 @@
-class_name StraightImpact
+class_name StraightImpactFinder
 extends RefCounted
 ## The exact impact of a ball in straight flight: with a point, or with a segment that works from
 ## both sides and ends in round caps. Time is in seconds and has no end of a frame.

@@ -7,7 +7,7 @@ const _NORMAL_BOUND := 4.0
 
 var _table := ImpactTable.new("ball_segment_gravity")
 var _straight := ImpactTable.new("ball_segment")
-var _solver := AcceleratedImpact.new()
+var _solver := AcceleratedImpactFinder.new()
 
 
 func test_hit_or_miss_agrees_in_every_row() -> void:

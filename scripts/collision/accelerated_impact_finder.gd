@@ -1,7 +1,7 @@
-class_name AcceleratedImpact
-extends AcceleratedPointImpact
+class_name AcceleratedImpactFinder
+extends AcceleratedPointImpactFinder
 ## The exact impact of a ball under constant acceleration with a segment that works from both sides
-## and ends in round caps; what an impact is stands in [AcceleratedPointImpact].
+## and ends in round caps; what an impact is stands in [AcceleratedPointImpactFinder].
 ##
 ## The ball can touch only while its centre is in the strip closer to the line than its radius.
 ## Seen from the side towards which the acceleration points away from the line, its height is a
