@@ -1,14 +1,14 @@
 class_name EasyBounceDrawing
 extends Node2D
-## The drawing of the lesson on the easy bounce: what the easy program does in a frame, and what is
-## right, step by step.
+## The drawing of the lesson on the easy bounce, step by step: what the easy program does in a frame
+## beside what is right.
 
-# Pixels of the dashed line from which the tilt is measured.
+# Length, in units, of the dashed line from which the tilt is measured.
 const _LEVEL_LENGTH := 110.0
 
 var _model: EasyBounceModel
 var _moved: Ball
-# What both ways make of the moved ball, and whether that is the same.
+# What both programs make of the moved ball, and whether that is the same.
 var _easy: Ball
 var _right: Ball
 var _are_same := true
@@ -66,7 +66,7 @@ func _hide_all() -> void:
 func _lay_line() -> void:
 	var line := _model.line()
 	_line.lay(line.start, line.end)
-	# On the side where the perpendicular is not.
+	# On the side away from the perpendicular.
 	var side := -signf(_model.tilt_degrees)
 	var level := Vec2.unit_degrees(90.0 if _model.is_wall else 180.0).scaled(side)
 	_level.lay(_model.pivot, _model.pivot.plus(level.scaled(_LEVEL_LENGTH)))
