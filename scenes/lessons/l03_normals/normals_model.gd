@@ -22,6 +22,29 @@ var is_y_up := false
 var mistake := 0
 
 
+## Lays the line from one point to another, in pixels.
+func lay(from: Vec2, to: Vec2) -> void:
+	start = from.copy()
+	end = to.copy()
+
+
+## Takes the number that has this name in the formula. A new start takes the end along: v stays.
+func enter(name_in_line: String, value: float) -> void:
+	var along := v()
+	match name_in_line:
+		"vx":
+			along.x = value
+		"vy":
+			along.y = value
+		"sx":
+			start.x = value
+		"sy":
+			start.y = value
+		"k":
+			times = value
+	end = start.plus(along)
+
+
 ## The vector of the line: end minus start.
 func v() -> Vec2:
 	return end.minus(start)
