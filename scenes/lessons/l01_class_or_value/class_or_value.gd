@@ -11,13 +11,12 @@ const _COUNTS: Array[int] = [1000, 1_000_000]
 
 var _model := ClassOrValueModel.new()
 var _formula: ClassOrValueFormula
-var _steps: Steps
-var _options: LessonOptions
-var _readout: Readout
 # The Vec2 before the drag that is going on; null between drags.
 var _before: Vec2
 var _has_sums := false
 
+@onready var _steps: Steps = services.get(&"steps")
+@onready var _readout: Readout = services.get(&"readout")
 @onready var _position: DraggableVector = %Position
 @onready var _value: DraggableVector = %Value
 @onready var _old: Arrow = %Old
@@ -44,17 +43,15 @@ func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
 func _fill_panel() -> void:
 	var formula := services[&"formula"] as Formula
 	_formula = ClassOrValueFormula.new(formula)
-	on_edit(formula.number_entered, _enter_number)
-	_readout = services[&"readout"] as Readout
-	_steps = services[&"steps"] as Steps
+	on_edit(formula.number_entered, _model.enter)
 	_steps.open_at(_SUM_STEP - 1)
-	_options = services[&"options"] as LessonOptions
-	_options.add_switch("copies", tr("Use copy()"))
-	_options.add_preset("remember", tr("Remember now"))
-	on_edit(_options.switched, _switch)
-	on_edit(_options.preset_picked, _model.remember.unbind(1))
-	var question := services[&"question"] as Question
-	question.offer(SharingExercise.fresh, SharingExercise.Kind.size())
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("copies", tr("Use copy()"))
+	options.add_preset("remember", tr("Remember now"))
+	on_edit(options.switched, _switch)
+	on_edit(options.preset_picked, _model.remember.unbind(1))
+	var kinds := SharingExercise.Kind.size()
+	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
 
 
 # What the student does.
@@ -68,13 +65,6 @@ func _move(tail: Vec2, head: Vec2, origin: Vec2) -> void:
 	if not tail.equals_approx(origin, 0.0):
 		moved = _before.plus(tail.minus(origin))
 	_model.move_to(moved.x, moved.y)
-
-
-func _enter_number(name_in_line: String, value: float) -> void:
-	if name_in_line == "x":
-		_model.move_to(value, _model.position.y)
-	else:
-		_model.move_to(_model.position.x, value)
 
 
 func _switch(_key: String, on: bool) -> void:
@@ -100,7 +90,6 @@ func _show() -> void:
 	_old_value.visible = _steps.step >= 1
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), _steps.step))
 	_formula.show_model(_model, _steps.step)
-	_options.show_switch("copies", _model.copies)
 	_steps.tell(ClassOrValueTexts.sentences(_model.copies))
 	_show_sums()
 

@@ -37,6 +37,14 @@ func move_to(x: float, y: float) -> void:
 	value = Vector2(x, y)
 
 
+## Takes the number that has this name in the formula: `x` or `y` of both.
+func enter(name_in_line: String, number: float) -> void:
+	if name_in_line == "x":
+		move_to(number, position.y)
+	else:
+		move_to(position.x, number)
+
+
 ## Begins anew: what is remembered is [param old_place], then both are moved to [param place].
 func remember_and_move(old_place: Vec2, place: Vec2) -> void:
 	position = old_place.copy()

@@ -18,10 +18,9 @@ const _PRESETS: Dictionary[String, float] = {
 var _model := EasyBounceModel.new()
 var _formula: EasyBounceFormula
 var _readout: EasyBounceReadout
-var _steps: Steps
-var _options: LessonOptions
-var _transport: Transport
 
+@onready var _steps: Steps = services.get(&"steps")
+@onready var _transport: Transport = services.get(&"transport")
 @onready var _drawing: EasyBounceDrawing = %Drawing
 @onready var _line: DraggableVector = %Line
 @onready var _ball: BallHandle = %BallHandle
@@ -44,17 +43,15 @@ func start() -> void:
 func _fill_panel() -> void:
 	var formula := services[&"formula"] as Formula
 	_formula = EasyBounceFormula.new(formula)
-	on_edit(formula.number_entered, _enter_number)
+	on_edit(formula.number_entered, _enter)
 	_readout = EasyBounceReadout.new(services[&"readout"] as Readout)
-	_steps = services[&"steps"] as Steps
 	_steps.open_at(EasyBounceTexts.Step.BOUNCE)
-	_transport = services[&"transport"] as Transport
 	_transport.advanced.connect(_advance)
-	_options = services[&"options"] as LessonOptions
-	_options.add_switch("is_wall", tr("Wall instead of floor"))
-	_options.add_presets(_PRESETS.keys())
-	on_edit(_options.switched, _swap_axes.unbind(2))
-	on_edit(_options.preset_picked, _tilt_to)
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("is_wall", tr("Wall instead of floor"))
+	options.add_presets(_PRESETS.keys())
+	on_edit(options.switched, _swap_axes.unbind(2))
+	on_edit(options.preset_picked, _tilt_to)
 	var question := services[&"question"] as Question
 	question.offer(BounceExercise.fresh, BounceExercise.Kind.size())
 	on_edit(question.board_wanted, _show_exercise)
@@ -95,10 +92,10 @@ func _advance(seconds: float) -> void:
 		_show()
 
 
-func _enter_number(name_in_line: String, value: float) -> String:
+func _enter(name_in_line: String, value: float) -> String:
 	if EasyBounceModel.is_of_moving_ball(name_in_line):
 		pause()
-	return _model.set_number(name_in_line, value)
+	return _model.enter(name_in_line, value)
 
 
 func _swap_axes() -> void:
@@ -138,4 +135,3 @@ func _show() -> void:
 	_readout.show_model(_model, moved)
 	_verdict.show_model(_model, moved, _steps.step)
 	_steps.tell(EasyBounceTexts.sentences(_model))
-	_options.show_switch("is_wall", _model.is_wall)

@@ -213,9 +213,9 @@ func _ball_in_flight(in_frame: int) -> Ball:
 # The numbers.
 
 
-## Sets the number that has this name in the formula and returns "", or returns its
+## Takes the number that has this name in the formula and returns "", or returns its
 ## [method number_problem] and changes nothing. A place or velocity is that of the shown frame.
-func set_number(name_in_line: String, value: float) -> String:
+func enter(name_in_line: String, value: float) -> String:
 	var problem := number_problem(name_in_line, value)
 	if problem:
 		return problem

@@ -41,7 +41,7 @@ func start() -> void:
 	# The card moves to another corner only when the view is fitted, not during a drag.
 	board.view_changed.connect(func() -> void: _verdict.stand_behind(_model))
 	_fill_panel()
-	begin(_model, _show, _model.drawn_points)
+	begin(_model, _show, _model.points_to_show)
 
 
 func _fill_panel() -> void:

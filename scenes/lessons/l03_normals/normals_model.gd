@@ -77,7 +77,7 @@ func middle() -> Vec2:
 
 
 ## The ends of all that is drawn of the line and its normals.
-func drawn_points() -> Array[Vec2]:
+func points_to_show() -> Array[Vec2]:
 	var points: Array[Vec2] = [start, end]
 	for arm: Vec2 in [normal(), opposite(), unit()]:
 		points.append(start.plus(arm))

@@ -100,9 +100,9 @@ func test_a_stored_set_up_comes_back_and_shares_nothing() -> void:
 func test_a_number_is_set_in_the_shown_frame_or_refused() -> void:
 	_model.advance(2.0)
 	var shown := _model.moved_ball(2)
-	assert_string_contains(_model.set_number("r", 201.0), "at most 200")
+	assert_string_contains(_model.enter("r", 201.0), "at most 200")
 	assert_eq([_model.frame(), _model.ball.radius], [2, 60.0])
-	assert_eq(_model.set_number("vx", 7.0), "")
+	assert_eq(_model.enter("vx", 7.0), "")
 	assert_eq(_model.frame(), 0)
 	assert_vec2(_model.ball.position, shown.position, 0.0)
 	assert_vec2(_model.ball.velocity, Vec2.new(7.0, shown.velocity.y), 0.0)
