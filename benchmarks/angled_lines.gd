@@ -27,15 +27,15 @@ func _init() -> void:
 
 func _print_row(count: int) -> void:
 	var cells: PackedStringArray = [str(count), str(_world(count).surroundings.segments.size())]
-	for method: int in SteppedWorld.Method.size():
-		var milliseconds := _median(count, method as SteppedWorld.Method)
+	for method: int in SteppingMethods.Method.size():
+		var milliseconds := _median(count, method as SteppingMethods.Method)
 		cells.append("%.3f = %.1f %%" % [milliseconds, milliseconds / FRAME / 10.0])
 	print("| %s |" % " | ".join(cells))
 
 
-func _median(count: int, method: SteppedWorld.Method) -> float:
+func _median(count: int, method: SteppingMethods.Method) -> float:
 	var world := _world(count)
-	world.mover = SteppedWorld.mover_of(method)
+	world.mover = SteppingMethods.mover_of(method)
 	var times: PackedFloat64Array = []
 	for frame: int in FRAMES:
 		var start := Time.get_ticks_usec()
@@ -75,6 +75,6 @@ func _soaked(count: int) -> Array:
 
 
 func _world(count: int) -> SteppedWorld:
-	var world := SteppedWorld.new()
+	var world := SteppedWorld.new(WholeFrameMover.new())
 	AngledLinesScenes.set_up(SITUATIONS[count], world)
 	return world

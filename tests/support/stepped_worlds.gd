@@ -8,7 +8,7 @@ const FRAME := 1.0 / 60.0
 
 ## A world with these lines, given as x and y of both ends, and one ball.
 static func world(lines: Array[Vector4], ball: Ball, gravity: Vec2 = Vec2.new()) -> SteppedWorld:
-	var made := SteppedWorld.new()
+	var made := SteppedWorld.new(WholeFrameMover.new())
 	var segments: Array[LineSegment] = []
 	for line: Vector4 in lines:
 		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))

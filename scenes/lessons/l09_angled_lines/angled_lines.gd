@@ -172,7 +172,7 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 
 func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppedWorld.Method)
+	_model.set_method(place as SteppingMethods.Method)
 	_finish()
 
 

@@ -15,11 +15,11 @@ const MOST_LINES := 60
 const USUAL_GRAVITY := 300.0
 
 ## The world that is right as far as [member method] is.
-var world := SteppedWorld.new()
+var world := SteppedWorld.new(WholeFrameMover.new())
 ## The world with the mistake; null while none is switched on.
 var wrong_world: SteppedWorld
 ## How a frame is stepped.
-var method := SteppedWorld.Method.WHOLE_FRAME
+var method := SteppingMethods.Method.WHOLE_FRAME
 ## Number of the mistake that is switched on, 0 for none.
 var mistake := 0
 ## The ready-made situation that was picked last, 0 to 9.
@@ -69,9 +69,9 @@ func take(other: SteppedWorld) -> void:
 
 ## Switches to the way of stepping [param new_method]. All mistakes are made in stepping: in the
 ## event world none is left.
-func set_method(new_method: SteppedWorld.Method) -> void:
+func set_method(new_method: SteppingMethods.Method) -> void:
 	method = new_method
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		mistake = 0
 	_begin()
 
@@ -80,7 +80,7 @@ func set_method(new_method: SteppedWorld.Method) -> void:
 func set_mistake(number: int) -> void:
 	mistake = number
 	if number:
-		method = SteppedWorld.Method.WHOLE_FRAME
+		method = SteppingMethods.Method.WHOLE_FRAME
 		set_up(AngledLinesMistakes.SCENES[number])
 	else:
 		_begin()
@@ -211,7 +211,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	var stored_world: Dictionary = stored["world"]
 	scene = stored["scene"]
 	var stored_method: int = stored["method"]
-	method = stored_method as SteppedWorld.Method
+	method = stored_method as SteppingMethods.Method
 	mistake = stored["mistake"]
 	selected = stored["selected"]
 	WorldState.put(stored_world, world)
@@ -223,7 +223,7 @@ func from_dictionary(stored: Dictionary) -> void:
 
 # From here on energy is compared and the past is counted.
 func _begin() -> void:
-	world.mover = SteppedWorld.mover_of(method)
+	world.mover = SteppingMethods.mover_of(method)
 	wrong_world = null
 	if mistake:
 		wrong_world = world.copy()
@@ -232,7 +232,7 @@ func _begin() -> void:
 	last_bounce = null
 	_first_energy = world.energy()
 	timeline = null
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		timeline = EventTimeline.new(world)
 
 

@@ -3,7 +3,7 @@ extends RefCounted
 ## The words and formula lines of the lesson on angled lines.
 
 
-## The ways of stepping, in the order of [enum SteppedWorld.Method].
+## The ways of stepping, in the order of [enum SteppingMethods.Method].
 static func methods() -> PackedStringArray:
 	return [
 		_translate("Position reset"),
@@ -26,7 +26,7 @@ static func headings(frames: int) -> PackedStringArray:
 
 ## A row of the comparison: what is left of the energy in one way of stepping, how far that is from
 ## right, and what a frame costs. With C below 1 energy is to be lost, so there is no error to tell.
-static func comparison(of: MethodComparison, method: SteppedWorld.Method) -> PackedStringArray:
+static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
 	if of.lost_count(method):
@@ -39,13 +39,13 @@ static func comparison(of: MethodComparison, method: SteppedWorld.Method) -> Pac
 	]
 
 
-static func _row_title(method: SteppedWorld.Method) -> String:
+static func _row_title(method: SteppingMethods.Method) -> String:
 	match method:
-		SteppedWorld.Method.POSITION_RESET:
+		SteppingMethods.Method.POSITION_RESET:
 			return _translate("reset")
-		SteppedWorld.Method.POINT_OF_IMPACT:
+		SteppingMethods.Method.POINT_OF_IMPACT:
 			return _translate("rest dropped")
-		SteppedWorld.Method.WHOLE_FRAME:
+		SteppingMethods.Method.WHOLE_FRAME:
 			return _translate("rest used")
 	return _translate("event world")
 

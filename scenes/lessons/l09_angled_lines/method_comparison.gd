@@ -15,11 +15,11 @@ var _microseconds: PackedFloat64Array = []
 func begin(world: SteppedWorld) -> void:
 	_worlds.clear()
 	_first_energy = world.energy()
-	_microseconds.resize(SteppedWorld.Method.size())
+	_microseconds.resize(SteppingMethods.Method.size())
 	_microseconds.fill(0.0)
-	for method: int in SteppedWorld.Method.size():
+	for method: int in SteppingMethods.Method.size():
 		var copy := world.copy()
-		copy.mover = SteppedWorld.mover_of(method as SteppedWorld.Method)
+		copy.mover = SteppingMethods.mover_of(method as SteppingMethods.Method)
 		_worlds.append(copy)
 
 
@@ -38,12 +38,12 @@ func frames() -> int:
 
 
 ## The energy now as a share of that at the start; 1 where there was none.
-func energy_share(method: SteppedWorld.Method) -> float:
+func energy_share(method: SteppingMethods.Method) -> float:
 	return _worlds[method].energy() / _first_energy if _first_energy != 0.0 else 1.0
 
 
 ## How many balls that way of stepping has lost.
-func lost_count(method: SteppedWorld.Method) -> int:
+func lost_count(method: SteppingMethods.Method) -> int:
 	return _worlds[method].lost_count()
 
 
@@ -53,7 +53,7 @@ func keeps_energy() -> bool:
 
 
 ## Microseconds for one frame of all balls, the average so far.
-func microseconds_per_frame(method: SteppedWorld.Method) -> float:
+func microseconds_per_frame(method: SteppingMethods.Method) -> float:
 	return _microseconds[method] / maxf(_worlds[method].frames, 1.0)
 
 

@@ -15,7 +15,7 @@ const _RADIUS := 12.0
 const _HALF_LINE := 90.0
 
 ## The situation that is asked about, to be shown on the board.
-var world := SteppedWorld.new()
+var world := SteppedWorld.new(WholeFrameMover.new())
 
 
 ## A question with numbers drawn from [param rng].

@@ -3,20 +3,20 @@ extends ShotFlight
 ## A ball's flight in one of the lecture's ways of stepping.
 
 ## How the ways are named in tables.
-const METHODS: Dictionary[SteppedWorld.Method, String] = {
-	SteppedWorld.Method.POSITION_RESET: "position reset",
-	SteppedWorld.Method.POINT_OF_IMPACT: "impact, rest dropped",
-	SteppedWorld.Method.WHOLE_FRAME: "impact, rest used",
+const METHODS: Dictionary[SteppingMethods.Method, String] = {
+	SteppingMethods.Method.POSITION_RESET: "position reset",
+	SteppingMethods.Method.POINT_OF_IMPACT: "impact, rest dropped",
+	SteppingMethods.Method.WHOLE_FRAME: "impact, rest used",
 }
 
 const _PARTS := 5
 
-var _way: SteppedWorld.Method
+var _way: SteppingMethods.Method
 var _world: SteppedWorld
 
 
 ## A flight stepped in this way.
-func _init(way: SteppedWorld.Method, of_shot: Shot, at_rate: int) -> void:
+func _init(way: SteppingMethods.Method, of_shot: Shot, at_rate: int) -> void:
 	super(of_shot, at_rate)
 	_way = way
 	method = METHODS[way]
@@ -37,8 +37,7 @@ func run_once() -> void:
 
 
 func _prepare() -> void:
-	_world = SteppedWorld.new()
-	_world.mover = SteppedWorld.mover_of(_way)
+	_world = SteppedWorld.new(SteppingMethods.mover_of(_way))
 	_world.surroundings.set_segments(shot.segments())
 	_world.set_balls([shot.ball])
 

@@ -6,10 +6,6 @@ extends RefCounted
 ## What cannot be taken is refused: [method set_balls], [method step] and [method put_state] return
 ## "" or one sentence with the value and what is allowed, and then nothing has changed.
 
-## How a frame is stepped: see [PositionResetMover], [PointOfImpactMover], [WholeFrameMover],
-## [EventMover].
-enum Method { POSITION_RESET, POINT_OF_IMPACT, WHOLE_FRAME, EVENT_WORLD }
-
 ## Pixels. A ball further than this from the origin, in x or y, is lost: it is no longer moved.
 const REACH := 800.0
 ## Seconds that one step may last.
@@ -33,7 +29,7 @@ var losses := 0
 ## The bounces of the latest step.
 var latest_bounces: Array[BounceRecord] = []
 ## What moves the balls.
-var mover: BallMover = WholeFrameMover.new()
+var mover: BallMover
 
 # 1 where the last frame has changed nothing at a ball: then the next one will not either, as long
 # as nothing else changes. Balls that lie still cost nothing.
@@ -42,16 +38,9 @@ var _is_still: PackedByteArray = []
 var _frame_kind: Array = []
 
 
-## The way of stepping that belongs to [param method].
-static func mover_of(method: Method) -> BallMover:
-	match method:
-		Method.POSITION_RESET:
-			return PositionResetMover.new()
-		Method.POINT_OF_IMPACT:
-			return PointOfImpactMover.new()
-		Method.EVENT_WORLD:
-			return EventMover.new()
-	return WholeFrameMover.new()
+## An empty world whose balls are moved by [param with_mover], such as a [WholeFrameMover].
+func _init(with_mover: BallMover) -> void:
+	mover = with_mover
 
 
 ## Takes copies of these balls in place of the old ones, and counts anew.
@@ -142,9 +131,8 @@ func energy() -> float:
 ## A world that shares nothing with this one but the way of stepping, and has counted nothing yet.
 ## With [param only] it holds none but the ball at that place.
 func copy(only: int = -1) -> SteppedWorld:
-	var other := SteppedWorld.new()
+	var other := SteppedWorld.new(mover.for_copy())
 	other.surroundings = surroundings.copy()
-	other.mover = mover.for_copy()
 	for i in balls.size():
 		if only < 0 or only == i:
 			other.balls.append(balls[i].copy())

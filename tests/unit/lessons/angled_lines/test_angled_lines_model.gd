@@ -55,7 +55,7 @@ func test_once_a_second_all_balls_of_the_cradle_are_back() -> void:
 func test_position_reset_loses_the_ball_of_the_tunnelling_situation() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(5)
-	model.set_method(SteppedWorld.Method.POSITION_RESET)
+	model.set_method(SteppingMethods.Method.POSITION_RESET)
 	for frame: int in 60:
 		model.step()
 	assert_eq(model.world.lost_count(), 1)
@@ -169,9 +169,9 @@ func test_the_comparison_shows_what_each_way_loses_in_a_minute() -> void:
 	comparison.begin(model.world)
 	while comparison.advance(100_000, AngledLinesModel.FRAME):
 		pass
-	assert_gt(comparison.energy_share(SteppedWorld.Method.POSITION_RESET), 1.05)
-	assert_lt(comparison.energy_share(SteppedWorld.Method.POINT_OF_IMPACT), 0.95)
-	assert_almost_eq(comparison.energy_share(SteppedWorld.Method.WHOLE_FRAME), 1.0, 1e-9)
+	assert_gt(comparison.energy_share(SteppingMethods.Method.POSITION_RESET), 1.05)
+	assert_lt(comparison.energy_share(SteppingMethods.Method.POINT_OF_IMPACT), 0.95)
+	assert_almost_eq(comparison.energy_share(SteppingMethods.Method.WHOLE_FRAME), 1.0, 1e-9)
 
 
 func test_the_right_answers_of_questions_are_what_the_world_does() -> void:

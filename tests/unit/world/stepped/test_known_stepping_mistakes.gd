@@ -7,10 +7,10 @@ const FRAME := SteppedWorlds.FRAME
 # Mistake 14. The ball overlaps by 1 px and moves away so slowly that it still does after the frame.
 func test_a_ball_that_moves_away_is_not_reflected_again() -> void:
 	var floor_line: Array[Vector4] = [Vector4(-90, 0, 90, 0)]
-	for method: int in SteppedWorld.Method.size():
+	for method: int in SteppingMethods.Method.size():
 		var ball := Ball.new(Vec2.new(0.0, -9.0), 10.0, Vec2.new(30.0, -30.0))
 		var world := SteppedWorlds.world(floor_line, ball)
-		world.mover = SteppedWorld.mover_of(method as SteppedWorld.Method)
+		world.mover = SteppingMethods.mover_of(method as SteppingMethods.Method)
 		world.step(FRAME)
 		assert_vec2(world.balls[0].velocity, Vec2.new(30.0, -30.0), 0.0, "method %d" % method)
 

@@ -14,7 +14,7 @@ func test_energy_stays_for_a_minute_when_the_whole_frame_is_used() -> void:
 
 func test_dropping_the_rest_of_the_frame_loses_energy() -> void:
 	var world := SteppedWorlds.box(1, 5)
-	world.mover = SteppedWorld.mover_of(SteppedWorld.Method.POINT_OF_IMPACT)
+	world.mover = SteppingMethods.mover_of(SteppingMethods.Method.POINT_OF_IMPACT)
 	var before := world.energy()
 	SteppedWorlds.run(world, 3600)
 	assert_between(world.energy() / before, 0.5, 0.98)
@@ -24,7 +24,7 @@ func test_position_reset_gains_energy() -> void:
 	var world := SteppedWorlds.box(1, 5)
 	# Too large to pass a line within a frame.
 	world.set_balls([Ball.new(Vec2.new(-200.0, -100.0), 20.0, Vec2.new(50.0, 0.0))])
-	world.mover = SteppedWorld.mover_of(SteppedWorld.Method.POSITION_RESET)
+	world.mover = SteppingMethods.mover_of(SteppingMethods.Method.POSITION_RESET)
 	var before := world.energy()
 	SteppedWorlds.run(world, 3600)
 	assert_between(world.energy() / before, 1.02, 2.0)
@@ -127,7 +127,7 @@ func test_a_state_put_back_runs_on_to_the_same_bits() -> void:
 func test_a_stored_world_put_into_another_runs_the_same() -> void:
 	var world := SteppedWorlds.box(5, 4)
 	SteppedWorlds.run(world, 30)
-	var other := SteppedWorld.new()
+	var other := SteppedWorld.new(WholeFrameMover.new())
 	WorldState.put(WorldState.of(world), other)
 	SteppedWorlds.run(world, 100)
 	SteppedWorlds.run(other, 100)
@@ -160,7 +160,7 @@ func test_history_goes_back_ten_seconds_to_the_same_bits() -> void:
 
 func test_history_forgets_the_oldest_beyond_its_length() -> void:
 	var history := StepHistory.new()
-	var worlds: Array[SteppedWorld] = [SteppedWorld.new()]
+	var worlds: Array[SteppedWorld] = [SteppedWorld.new(WholeFrameMover.new())]
 	for frame: int in StepHistory.LONGEST + 10:
 		history.remember(worlds)
 	assert_eq(history.size(), StepHistory.LONGEST)
