@@ -64,7 +64,7 @@ static func formula_lines(has_bounce: bool) -> PackedStringArray:
 
 ## What stands at the point of impact.
 static func impact_label(bounce: BounceRecord) -> String:
-	return "t = %s" % NumberText.short(bounce.time, 3)
+	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
 ## What the status card says: time, bounces, lost balls, energy, and the script's share of a frame

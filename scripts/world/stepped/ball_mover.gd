@@ -46,7 +46,7 @@ func fly_clear(ball: Ball, seconds: float, surroundings: Surroundings) -> bool:
 ## has got there.
 func fly_to(ball: Ball, impact: Impact, seconds: float, gravity: Vec2) -> void:
 	var way := impact.position.minus(ball.position)
-	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.time)
+	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.fraction)
 	ball.position = impact.position
 
 
@@ -60,7 +60,7 @@ func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[Bounce
 	var record := BounceRecord.new()
 	record.position = ball.position.copy()
 	record.normal = impact.normal
-	record.time = impact.time
+	record.fraction = impact.fraction
 	record.velocity_before = before
 	record.velocity_after = ball.velocity.copy()
 	bounces.append(record)

@@ -39,7 +39,7 @@ static func record_of(
 	record.normal = event.normal
 	record.velocity_before = event.velocity_before
 	record.velocity_after = event.velocity_after
-	record.time = (event.time - frame_start) / seconds
+	record.fraction = (event.time - frame_start) / seconds
 	return record
 
 

@@ -41,7 +41,7 @@ func pass_by() -> void:
 ## Goes on after an impact that [param ball] has come out of: it leaves the line, or lies on it. A
 ## ball that lies in a corner of two lines comes to rest and has no part left.
 func leave(ball: Ball, impact: Impact, has_bounced: bool) -> void:
-	left -= seconds * impact.time
+	left -= seconds * impact.fraction
 	if hop_seconds(ball.velocity, impact.normal, _gravity) < SHORTEST_HOP:
 		_lie_on(ball, impact)
 	elif has_bounced or _support < 0:

@@ -20,5 +20,5 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 		return bounces
 	fly_to(ball, impact, seconds, gravity)
 	bounce(ball, impact, surroundings.bounciness, bounces)
-	ball.velocity.add(gravity.scaled(seconds * (1.0 - impact.time)))
+	ball.velocity.add(gravity.scaled(seconds * (1.0 - impact.fraction)))
 	return bounces

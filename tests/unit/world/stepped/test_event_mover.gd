@@ -40,7 +40,7 @@ func test_a_drop_bounces_at_the_time_of_the_fall() -> void:
 	world.surroundings.set_gravity(Vec2.new(0.0, 300.0))
 	while world.bounces == 0:
 		world.step(FRAME)
-	var seconds := (world.frames - 1 + world.latest_bounces[0].time) * FRAME
+	var seconds := (world.frames - 1 + world.latest_bounces[0].fraction) * FRAME
 	# 75 px to fall: t = sqrt(2 h / g).
 	assert_almost_eq(seconds, sqrt(2.0 * 75.0 / 300.0), 1e-12)
 	assert_vec2(world.latest_bounces[0].position, Vec2.new(0.0, 75.0), 1e-10)
