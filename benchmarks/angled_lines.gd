@@ -39,8 +39,9 @@ func _median(count: int, method: SteppingMethods.Method) -> float:
 	var times: PackedFloat64Array = []
 	for frame: int in FRAMES:
 		var start := Time.get_ticks_usec()
-		world.step(FRAME)
+		var problem := world.step(FRAME)
 		times.append((Time.get_ticks_usec() - start) / 1000.0)
+		Refusal.push(problem)
 	times.sort()
 	return times[FRAMES >> 1]
 
@@ -66,7 +67,7 @@ func _soaked(count: int) -> Array:
 	var world := _world(count)
 	var energy := world.energy()
 	for frame: int in SOAK_FRAMES:
-		world.step(FRAME)
+		Refusal.push(world.step(FRAME))
 	var not_finite := 0
 	for ball: Ball in world.balls:
 		not_finite += int(not (ball.position.is_finite() and ball.velocity.is_finite()))

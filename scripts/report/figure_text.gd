@@ -4,10 +4,12 @@ extends RefCounted
 ## one.
 
 
-## Such as 12.3, 0.45 or 3.1e-13.
+## Such as 12.3, 0.45 or 3.1e-13; "-" for a number that is not finite.
 static func short(value: float) -> String:
 	if value == 0.0:
 		return "0"
+	if not is_finite(value):
+		return "-"
 	var power := floori(log(absf(value)) / log(10.0) + 1e-12)
 	if power < -3 or power > 5:
 		return "%.1fe%d" % [value / 10.0 ** power, power]

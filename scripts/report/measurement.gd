@@ -21,6 +21,7 @@ var setting: String:
 ## Whether this is the engine's own, or another library: what the lab is compared with.
 var is_peer := false
 ## Microseconds per simulated second, or per call where the problem says so: the median of the runs.
+## [constant NO_ANSWER] where a world refused to go on; tables leave the cell empty.
 var run_time_us := 0.0
 ## How far from the exact answer, 0 or more in [member error_unit]; or [constant NO_ANSWER].
 var error := 0.0

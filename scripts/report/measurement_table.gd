@@ -2,8 +2,9 @@ class_name MeasurementTable
 extends RefCounted
 ## Measurements as comma-separated values (RFC 4180), and back: the file error_vs_time.csv.
 ##
-## Numbers have all the digits that tell one double from the next. The error of a measurement
-## without an answer is an empty cell. What has no column of its own, the figures, is in the note.
+## Numbers have all the digits that tell one double from the next. A measurement without an answer
+## has an empty cell for its error, and an empty one for its run time if a world refused to go on.
+## The figures have no column of their own; what matters of them is in the note.
 
 ## The first line.
 const COLUMNS := "problem,method,setting,peer,run_time_us,error,error_unit,note"
@@ -43,12 +44,16 @@ static func _line(measurement: Measurement) -> String:
 		_cell(measurement.method),
 		_cell(measurement.setting),
 		"1" if measurement.is_peer else "0",
-		String.num_scientific(measurement.run_time_us),
-		String.num_scientific(measurement.error) if measurement.has_answer() else "",
+		_number(measurement.run_time_us),
+		_number(measurement.error),
 		_cell(measurement.error_unit),
 		_cell(measurement.note),
 	]
 	return ",".join(texts)
+
+
+static func _number(value: float) -> String:
+	return String.num_scientific(value) if is_finite(value) else ""
 
 
 static func _cell(text: String) -> String:

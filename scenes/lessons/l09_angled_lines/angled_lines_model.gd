@@ -30,6 +30,8 @@ var selected := 0
 var last_bounce: BounceRecord
 ## In the event world any moment can be gone to; null in the other ways of stepping.
 var timeline: EventTimeline
+## What the latest step, forward or back, was refused with; "" if it was not.
+var refusal := ""
 
 var _history := StepHistory.new()
 var _starts := BallStarts.new()
@@ -86,24 +88,27 @@ func set_mistake(number: int) -> void:
 		_begin()
 
 
-## One frame on.
+## One frame on; see [member refusal].
 func step() -> void:
 	if timeline:
-		go_to(timeline.time + FRAME)
+		refusal = go_to(timeline.time + FRAME)
 		return
 	_history.remember(_worlds())
+	refusal = ""
 	for some in _worlds():
-		some.step(FRAME)
+		var problem := some.step(FRAME)
+		refusal = refusal if refusal else problem
 	for record in world.latest_bounces:
 		if record.ball_index == selected:
 			last_bounce = record
 
 
-## One frame back, to the last bit. False where nothing older is known.
+## One frame back, to the last bit; see [member refusal]. False where nothing older is known.
 func step_back() -> bool:
+	refusal = ""
 	if timeline:
 		var has_past := timeline.time > 0.0
-		go_to(maxf(timeline.time - FRAME, 0.0))
+		refusal = go_to(maxf(timeline.time - FRAME, 0.0))
 		return has_past
 	last_bounce = null
 	return _history.go_back(_worlds())
@@ -136,9 +141,9 @@ func set_gravity(gravity: Vec2) -> String:
 
 
 ## Gravity along [param direction] as strong as it was, or as usual where there was none.
-func point_gravity(direction: Vec2) -> void:
+func point_gravity(direction: Vec2) -> String:
 	var strength := world.surroundings.gravity.length()
-	set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
+	return set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
 
 
 ## Takes the bounciness C.
@@ -214,7 +219,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	method = stored_method as SteppingMethods.Method
 	mistake = stored["mistake"]
 	selected = stored["selected"]
-	WorldState.put(stored_world, world)
+	Refusal.push(WorldState.put(stored_world, world))
 	_starts.take(world)
 	var numbers: PackedFloat64Array = stored["first"]
 	_starts.put(numbers)

@@ -26,15 +26,18 @@ static func headings(frames: int) -> PackedStringArray:
 
 ## A row of the comparison: what is left of the energy in one way of stepping, how far that is from
 ## right, and what a frame costs. With C below 1 energy is to be lost, so there is no error to tell.
+## Where a ball bounced too often to be moved on, the row says so.
 static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
 	if of.lost_count(method):
 		text = _translate("%s, %d lost") % [text, of.lost_count(method)]
+	if of.refusal(method):
+		text = _translate("stopped")
 	return [
 		_row_title(method),
 		text,
-		NumberText.size(share - 1.0) if of.keeps_energy() else "–",
+		NumberText.size(share - 1.0) if of.keeps_energy() and not of.refusal(method) else "–",
 		_translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
 	]
 

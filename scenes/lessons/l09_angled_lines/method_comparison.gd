@@ -9,6 +9,7 @@ const FRAMES := 3600
 var _worlds: Array[SteppedWorld] = []
 var _first_energy := 0.0
 var _microseconds: PackedFloat64Array = []
+var _refusals: PackedStringArray = []
 
 
 ## Begins anew with copies of [param world].
@@ -17,6 +18,8 @@ func begin(world: SteppedWorld) -> void:
 	_first_energy = world.energy()
 	_microseconds.resize(SteppingMethods.Method.size())
 	_microseconds.fill(0.0)
+	_refusals.resize(SteppingMethods.Method.size())
+	_refusals.fill("")
 	for method: int in SteppingMethods.Method.size():
 		var copy := world.copy()
 		copy.mover = SteppingMethods.mover_of(method as SteppingMethods.Method)
@@ -52,6 +55,11 @@ func keeps_energy() -> bool:
 	return _worlds[0].surroundings.bounciness == 1.0
 
 
+## Why that way of stepping did not bring all balls to the end of a frame; "" if it always did.
+func refusal(method: SteppingMethods.Method) -> String:
+	return _refusals[method]
+
+
 ## Microseconds for one frame of all balls, the average so far.
 func microseconds_per_frame(method: SteppingMethods.Method) -> float:
 	return _microseconds[method] / maxf(_worlds[method].frames, 1.0)
@@ -59,5 +67,7 @@ func microseconds_per_frame(method: SteppingMethods.Method) -> float:
 
 func _step(method: int, seconds: float) -> void:
 	var start := Time.get_ticks_usec()
-	_worlds[method].step(seconds)
+	var problem := _worlds[method].step(seconds)
 	_microseconds[method] += Time.get_ticks_usec() - start
+	if problem and not _refusals[method]:
+		_refusals[method] = problem

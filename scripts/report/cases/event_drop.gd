@@ -16,17 +16,20 @@ func _init(with_bounciness: float, at_rate: int) -> void:
 
 func _prepare() -> void:
 	_world = EventWorld.new()
-	_world.set_gravity(Vec2.new(0.0, DroppedBall.GRAVITY))
-	_world.set_bounciness(bounciness)
-	_world.set_segments(DroppedBall.floors())
-	_world.set_balls([DroppedBall.ball()])
+	keep_refusal(_world.set_gravity(Vec2.new(0.0, DroppedBall.GRAVITY)))
+	keep_refusal(_world.set_bounciness(bounciness))
+	keep_refusal(_world.set_segments(DroppedBall.floors()))
+	keep_refusal(_world.set_balls([DroppedBall.ball()]))
 
 
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.advance(step_seconds)
+		var problem := world.advance(step_seconds)
+		if problem:
+			keep_refusal(problem)
+			break
 		_height = -world.position_y(0) - DroppedBall.RADIUS
 	_spent = Time.get_ticks_usec() - start
 	_speed = world.velocity(0).y

@@ -21,17 +21,20 @@ func _prepare() -> void:
 	_world.uses_grid = _form != Form.SCAN
 	if _form == Form.WALLS:
 		var low := Vec2.new(BallInBox.LEFT, BallInBox.TOP)
-		_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM))
+		keep_refusal(_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM)))
 	else:
-		_world.set_segments(shot.segments())
-	_world.set_balls([shot.ball])
+		keep_refusal(_world.set_segments(shot.segments()))
+	keep_refusal(_world.set_balls([shot.ball]))
 
 
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.advance(step_seconds)
+		var problem := world.advance(step_seconds)
+		if problem:
+			keep_refusal(problem)
+			break
 		_x = world.position_x(0)
 		_y = world.position_y(0)
 	_spent = Time.get_ticks_usec() - start

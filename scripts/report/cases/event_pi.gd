@@ -16,9 +16,10 @@ func _init(of_n: int) -> void:
 
 func _count_impacts() -> void:
 	var blocks := TwoBlocks.new()
-	blocks.start(mass_ratio())
+	keep_refusal(blocks.start(mass_ratio()))
 	var start := Time.get_ticks_usec()
-	blocks.run(_AT_ONCE)
+	if blocks.run(_AT_ONCE):
+		keep_refusal("There are more than %d impacts." % _AT_ONCE)
 	_spent = Time.get_ticks_usec() - start
 	_count = blocks.impacts
 	figures["energy drift"] = absf(blocks.energy_drift())

@@ -34,18 +34,16 @@ func _init(for_seconds: float, at_rate: int) -> void:
 func run_once() -> void:
 	var flights := 0
 	var spent := 0.0
-	while spent < _SHORTEST_RUN:
+	while spent < _SHORTEST_RUN and not refusal:
 		@warning_ignore("redundant_await")
-		await _set_up()
-		@warning_ignore("redundant_await")
-		await _fly(steps)
+		await _set_up_and_fly(steps)
 		spent += _spent
 		flights += 1
-		if runs() == 0 and flights == 1:
+		if runs() == 0 and flights == 1 and not refusal:
 			@warning_ignore("redundant_await")
 			await _find_error()
 		_tear_down()
-	keep_run(spent / flights / seconds)
+	keep_run(spent / maxi(flights, 1) / seconds)
 
 
 ## See [method MeasuredCase.finish].
@@ -58,6 +56,15 @@ func _set_up() -> void:
 	@warning_ignore("redundant_await")
 	await _prepare()
 	_is_set_up = true
+
+
+# Without a flight where a world has refused something before.
+func _set_up_and_fly(count: int) -> void:
+	@warning_ignore("redundant_await")
+	await _set_up()
+	if not refusal:
+		@warning_ignore("redundant_await")
+		await _fly(count)
 
 
 func _tear_down() -> void:

@@ -19,7 +19,10 @@ func _fly(count: int) -> void:
 	for i in count:
 		var now := begin + (i + 1) * step_seconds
 		if now >= until:
-			world.advance_to(now)
+			var problem := world.advance_to(now)
+			if problem:
+				keep_refusal(problem)
+				break
 			until = world.next_event_time()
 			from = now
 			x = world.position_x(0)
@@ -30,4 +33,4 @@ func _fly(count: int) -> void:
 		_x = x + across * (now - from)
 		_y = y + down * (now - from)
 	_spent = Time.get_ticks_usec() - start
-	world.advance_to(begin + count * step_seconds)
+	keep_refusal(world.advance_to(begin + count * step_seconds))

@@ -89,8 +89,8 @@ func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 func exact_path() -> ExactPath:
 	if _exact == null:
 		_exact = ExactPath.new()
-		_exact.start(ball, segments())
-		_exact.advance_to(path_seconds)
+		Refusal.push(_exact.start(ball, segments()))
+		Refusal.push(_exact.advance_to(path_seconds))
 	return _exact
 
 

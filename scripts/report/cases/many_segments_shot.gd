@@ -41,8 +41,10 @@ static func situation_of(count: int) -> String:
 ## See [method Shot.judge]: the error is how far the ball is off the exact path at the end of it.
 func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 	var exact := ExactPath.new()
-	exact.start(ball, _near())
-	exact.advance_to(path_seconds)
+	case.keep_refusal(exact.start(ball, _near()))
+	case.keep_refusal(exact.advance_to(path_seconds))
+	if case.refusal:
+		return
 	case.error = exact.position().distance_to(Vec2.new(path[-2], path[-1]))
 	case.figures["bounces"] = exact.bounces()
 	case.note = "after %d bounces" % exact.bounces()

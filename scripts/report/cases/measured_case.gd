@@ -30,6 +30,9 @@ var error_unit := "px"
 var note := ""
 ## See [member Measurement.figures].
 var figures: Dictionary[String, float] = {}
+## The first sentence with which a world refused what this case needs; "" if none did. Then the case
+## has measured nothing, and [method result] says so.
+var refusal := ""
 
 var _run_times: PackedFloat64Array = []
 
@@ -48,12 +51,19 @@ func keep_run(run_time_us: float) -> void:
 	_run_times.append(run_time_us)
 
 
+## Keeps the answer of a world that must not refuse, "" or a sentence.
+func keep_refusal(problem: String) -> void:
+	if refusal == "":
+		refusal = problem
+
+
 ## How many runs have been kept.
 func runs() -> int:
 	return _run_times.size()
 
 
-## What has been found so far: the run time is the median of the runs, 0 before the first.
+## What has been found so far: the run time is the median of the runs, 0 before the first. A case
+## whose world has refused has no answer and no run time, and its note is the refusal.
 func result() -> Measurement:
 	var measurement := Measurement.new()
 	measurement.problem = problem
@@ -66,6 +76,11 @@ func result() -> Measurement:
 	measurement.error_unit = error_unit
 	measurement.note = note
 	measurement.figures = figures.duplicate()
+	if refusal:
+		measurement.run_time_us = Measurement.NO_ANSWER
+		measurement.error = Measurement.NO_ANSWER
+		measurement.note = refusal
+		measurement.figures.clear()
 	return measurement
 
 

@@ -16,7 +16,8 @@ func _init(method_name: String, of_shot: Shot) -> void:
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
-	world.advance(count * step_seconds)
+	var problem := world.advance(count * step_seconds)
 	_x = world.position_x(0)
 	_y = world.position_y(0)
 	_spent = Time.get_ticks_usec() - start
+	keep_refusal(problem)

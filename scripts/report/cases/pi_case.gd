@@ -35,14 +35,14 @@ func mass_ratio() -> float:
 func run_once() -> void:
 	var times := 0
 	var spent := 0.0
-	while spent < _SHORTEST_RUN:
+	while spent < _SHORTEST_RUN and not refusal:
 		@warning_ignore("redundant_await")
 		await _count_impacts()
 		spent += _spent
 		times += 1
 	error = absf(_count - RIGHT_COUNTS[n])
 	note = "%d impacts, %d are right" % [_count, RIGHT_COUNTS[n]]
-	keep_run(spent / times)
+	keep_run(spent / maxi(times, 1))
 
 
 ## Counts them and sets how long it took; may have to be awaited.

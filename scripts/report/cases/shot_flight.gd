@@ -29,8 +29,9 @@ func run_once() -> void:
 	if runs() == 0:
 		@warning_ignore("redundant_await")
 		await _find_error()
-	@warning_ignore("redundant_await")
-	await _fly(steps)
+	if not refusal:
+		@warning_ignore("redundant_await")
+		await _fly(steps)
 	keep_run(_spent / seconds)
 
 
@@ -41,6 +42,8 @@ func _find_error() -> void:
 		@warning_ignore("redundant_await")
 		await _set_up()
 		for frame in roundi(shot.path_seconds * _FRAMES_PER_SECOND):
+			if refusal:
+				return
 			@warning_ignore("redundant_await")
 			await _fly(floori(float(rate) / _FRAMES_PER_SECOND))
 			path.append(_x)

@@ -29,24 +29,28 @@ func _init(way: SteppingMethods.Method, of_shot: Shot, at_rate: int) -> void:
 func run_once() -> void:
 	if runs() % _PARTS == 0:
 		_set_up()
-	_fly(floori(float(steps) / _PARTS))
+	if not refusal:
+		_fly(floori(float(steps) / _PARTS))
 	keep_run(_spent * _PARTS / seconds)
-	if runs() == _PARTS:
+	if runs() == _PARTS and not refusal:
 		note = ""
 		_find_error()
 
 
 func _prepare() -> void:
 	_world = SteppedWorld.new(SteppingMethods.mover_of(_way))
-	_world.surroundings.set_segments(shot.segments())
-	_world.set_balls([shot.ball])
+	keep_refusal(_world.surroundings.set_segments(shot.segments()))
+	keep_refusal(_world.set_balls([shot.ball]))
 
 
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.step(step_seconds)
+		var problem := world.step(step_seconds)
+		if problem:
+			keep_refusal(problem)
+			break
 		var place := world.balls[0].position
 		_x = place.x
 		_y = place.y

@@ -140,7 +140,8 @@ static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
 		)
 	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
 	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")
-	found.append(drift.at_most(own.figures["energy drift"] if own else NAN, CROWD_DRIFT))
+	var energy_drift: float = own.figures.get("energy drift", INF) if own else NAN
+	found.append(drift.at_most(energy_drift, CROWD_DRIFT))
 	found.append(overlap.at_most(own.error if own else NAN, CROWD_OVERLAP))
 	return found
 

@@ -7,6 +7,10 @@ extends RefCounted
 ## not a bounce.
 const SLOWEST_BOUNCE := 1e-6
 
+## The sentence with which the latest [method move] refused to move its ball to the end of the frame;
+## "" if it did not.
+var refusal := ""
+
 ## Moves [param ball] by [param seconds] and returns its bounces in their order.
 @abstract func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
 

@@ -22,10 +22,11 @@ static func world_of(ball: Ball, surroundings: Surroundings) -> EventWorld:
 	var world := EventWorld.new()
 	world.most_impacts_per_second = MOST_IMPACTS
 	world.keeps_events = true
-	world.set_gravity(surroundings.gravity)
-	world.set_bounciness(surroundings.bounciness)
-	world.set_segments(surroundings.segments)
-	world.set_balls([ball])
+	# What a SteppedWorld takes, an EventWorld takes: its limits are wider.
+	Refusal.push(world.set_gravity(surroundings.gravity))
+	Refusal.push(world.set_bounciness(surroundings.bounciness))
+	Refusal.push(world.set_segments(surroundings.segments))
+	Refusal.push(world.set_balls([ball]))
 	return world
 
 
@@ -55,7 +56,7 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 		_worlds[ball] = world_of(ball, surroundings)
 	var world := _worlds[ball]
 	var frame_start := world.time
-	world.advance(seconds)
+	refusal = world.advance(seconds)
 	ball.position = world.position(0)
 	ball.velocity = world.velocity(0)
 	var bounces: Array[BounceRecord] = []

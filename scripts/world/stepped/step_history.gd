@@ -24,7 +24,7 @@ func go_back(worlds: Array[SteppedWorld]) -> bool:
 		return false
 	var states: Array[PackedFloat64Array] = _frames.pop_back()
 	for i in worlds.size():
-		worlds[i].put_state(states[i])
+		Refusal.push(worlds[i].put_state(states[i]))
 	return true
 
 

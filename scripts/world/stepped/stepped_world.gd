@@ -3,8 +3,9 @@ extends RefCounted
 ## Balls among lines, moved frame by frame as the course does: what each way of stepping keeps and
 ## loses can be compared. The balls do not touch each other.
 ##
-## What cannot be taken is refused: [method set_balls], [method step] and [method put_state] return
-## "" or one sentence with the value and what is allowed, and then nothing has changed.
+## What cannot be taken is refused: [method set_balls], [method step], [method change_ball] and
+## [method put_state] return "", or one sentence with the value and what is allowed; then nothing
+## has changed.
 
 ## Pixels. A ball further than this from the origin, in x or y, is lost: it is no longer moved.
 const REACH := 800.0
@@ -63,17 +64,22 @@ func set_balls(new_balls: Array[Ball]) -> String:
 
 
 ## Moves every ball that is not lost by [param seconds], above 0 and at most
-## [constant LONGEST_STEP].
+## [constant LONGEST_STEP]; another number is refused. Where the [member mover] refuses to move a
+## ball to the end of the step, that ball stays where it got to, the others move on, and the
+## mover's sentence is returned.
 func step(seconds: float) -> String:
 	if not (seconds > 0.0 and seconds <= LONGEST_STEP):
 		return "A step must last above 0 and at most 1 s, not %s." % seconds
 	frames += 1
 	latest_bounces.clear()
 	_wake_where_changed(seconds)
+	var refusal := ""
 	for i in balls.size():
 		if is_lost[i] == 0 and _is_still[i] == 0:
 			_move(i, seconds)
-	return ""
+			if mover.refusal and not refusal:
+				refusal = mover.refusal
+	return refusal
 
 
 ## Puts one ball elsewhere and gives it another velocity; a lost one is back in play.

@@ -55,9 +55,11 @@ func set_bounciness(new_bounciness: float) -> String:
 ## Surroundings that share nothing with these.
 func copy() -> Surroundings:
 	var other := Surroundings.new()
-	other.set_segments(segments)
-	other.set_gravity(gravity)
-	other.set_bounciness(bounciness)
+	for segment in segments:
+		other.segments.append(segment.copy())
+	other._boxes = SegmentBoxes.new(other.segments)
+	other.gravity = gravity.copy()
+	other.bounciness = bounciness
 	return other
 
 
