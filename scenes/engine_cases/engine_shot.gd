@@ -7,7 +7,7 @@ extends RefCounted
 # A frame of the course, in seconds.
 const _FRAME := 1.0 / 60.0
 
-var _space: PeerSpace
+var _space: EngineSpace
 var _body := CharacterBody2D.new()
 var _velocity: Vector2
 var _gravity: Vector2
@@ -18,7 +18,7 @@ var _places: Array[Vec2] = []
 ## The flight of [param ball] among the lines of [param surroundings], in a space of its own below
 ## [param host], which has to be in the tree.
 func _init(host: Node, ball: Ball, surroundings: Surroundings) -> void:
-	_space = PeerSpace.new(host)
+	_space = EngineSpace.new(host)
 	_space.add_walls(surroundings.segments, true)
 	_space.add_ball(_body, ball)
 	_velocity = ball.velocity.to_vector2()
@@ -44,7 +44,7 @@ func _step() -> void:
 	_velocity += _gravity * _FRAME
 	var collision := _body.move_and_collide(_velocity * _FRAME)
 	var contacts := 0
-	while collision and contacts < PeerSpace.MOST_CONTACTS:
+	while collision and contacts < EngineSpace.MOST_CONTACTS:
 		var normal := collision.get_normal()
 		_velocity = _bounced(_velocity, normal)
 		contacts += 1

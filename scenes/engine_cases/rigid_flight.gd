@@ -11,7 +11,7 @@ const MODES: Dictionary[RigidBody2D.CCDMode, String] = {
 
 var _host: Node
 var _mode: RigidBody2D.CCDMode
-var _space: PeerSpace
+var _space: EngineSpace
 var _body: RID
 var _frames: PhysicsFrames
 
@@ -21,14 +21,14 @@ func _init(host: Node, mode: RigidBody2D.CCDMode, of_shot: Shot, at_rate: int) -
 	_host = host
 	_mode = mode
 	method = MODES[mode]
-	is_peer = true
+	is_baseline = true
 	needs_frames = true
 
 
 func _prepare() -> void:
 	_frames = PhysicsFrames.new(_host.get_tree())
 	await _frames.begin(rate)
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.add_walls(shot.segments(), false)
 	_body = _space.add_rigid_ball(shot.ball, _mode).get_rid()
 

@@ -18,8 +18,8 @@ var tuning := ""
 var setting: String:
 	get:
 		return setting_of(situation, tuning)
-## Whether this is the engine's own, or another library: what the lab is compared with.
-var is_peer := false
+## Whether this is a method that the lab's own are compared with: the engine's, or a library's.
+var is_baseline := false
 ## Microseconds per simulated second, or per call where the problem says so: the median of the runs.
 ## [constant NO_ANSWER] where a world refused to go on; tables leave the cell empty.
 var run_time_us := 0.0
@@ -51,8 +51,8 @@ static func of_problem(id: String, measurements: Array[Measurement]) -> Array[Me
 ## The methods that were measured, each once: the lab's own first.
 static func methods_in(measurements: Array[Measurement]) -> PackedStringArray:
 	var found: PackedStringArray = []
-	for peers: bool in [false, true]:
+	for baselines: bool in [false, true]:
 		for measurement in measurements:
-			if measurement.is_peer == peers and not found.has(measurement.method):
+			if measurement.is_baseline == baselines and not found.has(measurement.method):
 				found.append(measurement.method)
 	return found

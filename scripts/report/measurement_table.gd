@@ -6,7 +6,8 @@ extends RefCounted
 ## has an empty cell for its error, and an empty one for its run time if a world refused to go on.
 ## The figures have no column of their own; what matters of them is in the note.
 
-## The first line.
+## The first line. The column "peer" is [member Measurement.is_baseline]: it has kept its old name, so
+## that older files can still be compared with new ones.
 const COLUMNS := "problem,method,setting,peer,run_time_us,error,error_unit,note"
 
 
@@ -43,7 +44,7 @@ static func _line(measurement: Measurement) -> String:
 		_cell(measurement.problem),
 		_cell(measurement.method),
 		_cell(measurement.setting),
-		"1" if measurement.is_peer else "0",
+		"1" if measurement.is_baseline else "0",
 		_number(measurement.run_time_us),
 		_number(measurement.error),
 		_cell(measurement.error_unit),

@@ -17,8 +17,8 @@ var tuning := ""
 var setting: String:
 	get:
 		return Measurement.setting_of(situation, tuning)
-## See [member Measurement.is_peer].
-var is_peer := false
+## See [member Measurement.is_baseline].
+var is_baseline := false
 ## Whether a run waits for physics frames of the engine. Then it is measured rightly only where
 ## these come as fast as they can: headless with --fixed-fps.
 var needs_frames := false
@@ -70,7 +70,7 @@ func result() -> Measurement:
 	measurement.method = method
 	measurement.situation = situation
 	measurement.tuning = tuning
-	measurement.is_peer = is_peer
+	measurement.is_baseline = is_baseline
 	measurement.run_time_us = median(_run_times)
 	measurement.error = error
 	measurement.error_unit = error_unit

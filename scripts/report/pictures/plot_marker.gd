@@ -63,11 +63,11 @@ var color: String
 var is_hollow: bool
 
 
-## The marker of the method at this place among the lab's own, or among the peers.
-func _init(index: int, is_peer: bool) -> void:
+## The marker of the method at this place among the lab's own, or among the baselines.
+func _init(index: int, is_baseline: bool) -> void:
 	shape = index % _SHAPES.size()
 	color = SvgText.hex(Palette.color(_ROLES[index % _ROLES.size()]))
-	is_hollow = is_peer
+	is_hollow = is_baseline
 
 
 ## The element; [param words] are shown when the pointer rests on it.
@@ -93,11 +93,11 @@ static func ring(x: float, y: float) -> String:
 ## One for each method, the lab's own first, in the order in which they come.
 static func for_methods(measurements: Array[Measurement]) -> Dictionary[String, PlotMarker]:
 	var found: Dictionary[String, PlotMarker] = {}
-	for is_peer: bool in [false, true]:
+	for is_baseline: bool in [false, true]:
 		var count := 0
 		for measurement in measurements:
-			if measurement.is_peer == is_peer and not found.has(measurement.method):
-				found[measurement.method] = PlotMarker.new(count, is_peer)
+			if measurement.is_baseline == is_baseline and not found.has(measurement.method):
+				found[measurement.method] = PlotMarker.new(count, is_baseline)
 				count += 1
 	return found
 

@@ -11,7 +11,7 @@ var id := ""
 var title := ""
 ## What is asked of the methods, and what their error is: one or two sentences.
 var question := ""
-## The method that the peers are put in relation to; "" for the most exact of the lab's own.
+## The method that the baselines are compared with; "" for the most exact of the lab's own.
 var champion := ""
 ## The horizontal axis of the picture.
 var run_time_axis := "run time, µs per simulated second"

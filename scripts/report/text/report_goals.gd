@@ -65,8 +65,8 @@ static func _box_ratio(rows: Array[Measurement], speed: float, method: String) -
 	for shot in BallInBoxProblem.shots():
 		if shot.situation.begins_with("%d px/s," % speed):
 			for form: String in ["segments", "concave shape"]:
-				var peer := _time(rows, "move_and_collide, " + form, shot.situation)
-				least = minf(least, peer / _time(rows, method, shot.situation))
+				var baseline := _time(rows, "move_and_collide, " + form, shot.situation)
+				least = minf(least, baseline / _time(rows, method, shot.situation))
 	var bound := BOX_RATIOS[speed]
 	var goal := ReportGoal.new(
 		(
@@ -109,8 +109,8 @@ static func _segments_ratio(rows: Array[Measurement], method: String, way: Strin
 	for count in ManySegmentsProblem.COUNTS:
 		if count >= SEGMENTS_FROM:
 			var own := ManySegmentsProblem.time_of(method, count, rows)
-			var peer := "move_and_collide, concave shape"
-			least = minf(least, ManySegmentsProblem.time_of(peer, count, rows) / own)
+			var baseline := "move_and_collide, concave shape"
+			least = minf(least, ManySegmentsProblem.time_of(baseline, count, rows) / own)
 	var goal := (
 		ReportGoal
 		. new(
@@ -129,14 +129,14 @@ static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
 	var own := _row(rows, EventCrowd.METHOD, situation, 60)
 	var found: Array[ReportGoal] = []
 	for rate in CROWD_RATIOS:
-		var peer := _row(rows, "RigidBody2D", situation, rate)
+		var baseline := _row(rows, "RigidBody2D", situation, rate)
 		var bound := CROWD_RATIOS[rate]
 		var goal := ReportGoal.new(
 			"%d balls: times faster than RigidBody2D at %d Hz" % [CROWD, rate],
 			"at least %s" % bound
 		)
 		found.append(
-			goal.at_least(peer.run_time_us / own.run_time_us if own and peer else NAN, bound)
+			goal.at_least(baseline.run_time_us / own.run_time_us if own and baseline else NAN, bound)
 		)
 	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
 	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")

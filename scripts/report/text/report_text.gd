@@ -12,7 +12,7 @@ static func of(
 		circumstances,
 		(
 			"A method is on the frontier of a situation if no other is at least as good in error and in"
-			+ " run time and better in one of them. Peers are the engine's own methods and other"
+			+ " run time and better in one of them. Baselines are the engine's own methods and other"
 			+ " libraries. Every number is in [error_vs_time.csv](error_vs_time.csv)."
 		),
 		_goals(measurements),

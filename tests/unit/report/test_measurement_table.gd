@@ -48,7 +48,7 @@ func _made() -> Measurement:
 	made.method = "event world"
 	made.situation = "300 px/s"
 	made.tuning = "60 Hz"
-	made.is_peer = true
+	made.is_baseline = true
 	made.run_time_us = 12.5
 	made.error = 3e-13
 	made.note = "calm"

@@ -24,13 +24,13 @@ func test_the_result_tells_problem_method_setting_and_error() -> void:
 	case.method = "a method"
 	case.situation = "300 px/s"
 	case.tuning = "60 Hz"
-	case.is_peer = true
+	case.is_baseline = true
 	case.error = 0.25
 	case.figures["drift"] = 2.0
 	var result := case.result()
 	assert_eq([result.problem, result.method, result.error], ["a problem", "a method", 0.25])
 	assert_eq([result.setting, case.setting], ["300 px/s, 60 Hz", "300 px/s, 60 Hz"])
-	assert_true(result.is_peer)
+	assert_true(result.is_baseline)
 	assert_eq(result.figures, {"drift": 2.0} as Dictionary[String, float])
 
 

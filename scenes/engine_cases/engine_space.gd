@@ -1,4 +1,4 @@
-class_name PeerSpace
+class_name EngineSpace
 extends SubViewport
 ## A physics space of its own for the engine's bodies that are measured, so that they meet nothing
 ## else. Nothing of it is drawn.

@@ -1,4 +1,4 @@
-class_name ShotPeers
+class_name EngineShotCases
 extends RefCounted
 ## The engine's own ways to fly one ball.
 

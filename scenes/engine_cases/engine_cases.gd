@@ -1,4 +1,4 @@
-class_name PeerCases
+class_name EngineCases
 extends RefCounted
 ## The engine's own methods, for each problem of the report that it can be set to.
 
@@ -12,11 +12,11 @@ static func of(problem_id: String, is_quick: bool, host: Node) -> Array[Measured
 			for situation in ProjectionPairs.SITUATIONS:
 				found.append(Vector2Projection.new(situation, is_quick))
 		"ball_in_box":
-			found = ShotPeers.in_box(is_quick, host)
+			found = EngineShotCases.in_box(is_quick, host)
 		"angled_lines":
-			found = ShotPeers.among_lines(is_quick, host)
+			found = EngineShotCases.among_lines(is_quick, host)
 		"many_segments":
-			found = ShotPeers.among_many(host)
+			found = EngineShotCases.among_many(host)
 		"dropped_ball":
 			for bounciness in DroppedBall.BOUNCINESSES:
 				for rate: int in [60] if is_quick else [60, 240]:
