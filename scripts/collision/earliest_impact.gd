@@ -1,12 +1,12 @@
 class_name EarliestImpact
 extends RefCounted
-## Picks the earliest of several impacts in one frame. Only that one is certain to happen: the bounce
-## changes the path, so the ball may never reach the others.
+## Picks the earliest of several impacts in one frame. Only that one is certain to happen: the
+## bounce changes the path, so the ball may never reach the others.
 
 
-## The first impact of a ball that moves by [param motion] from [param old_position], in pixels, with
-## any of the segments. [member Impact.segment_index] is the index of that segment. A miss if the
-## ball touches none of them.
+## The first impact of a ball that moves by [param motion] from [param old_position], in pixels,
+## with any of the segments. [member Impact.segment_index] is the index of that segment. A miss if
+## the ball touches none of them.
 static func among(
 	old_position: Vec2, motion: Vec2, radius: float, segments: Array[LineSegment]
 ) -> Impact:

@@ -6,9 +6,9 @@ extends RefCounted
 ## contact, b = old - new is the way of the whole frame, and t = a / b.
 
 
-## The fraction t = a / b of the frame after which the distance is [param radius]. There is an impact
-## in this frame only if t is in 0..1. Both distances must differ: if they are equal, the ball moves
-## along the line, and the result is infinite or NaN.
+## The fraction t = a / b of the frame after which the distance is [param radius]. There is an
+## impact in this frame only if t is in 0..1. Both distances must differ: if they are equal, the
+## ball moves along the line, and the result is infinite or NaN.
 static func fraction(old_distance: float, new_distance: float, radius: float) -> float:
 	return (old_distance - radius) / (old_distance - new_distance)
 

@@ -4,9 +4,10 @@ extends RefCounted
 ## its ends.
 
 
-## The first impact of a ball that moves by [param motion] from [param old_position], in pixels, with
-## the segment. A ball that overlaps the segment already touches at the fraction 0 if it approaches
-## the nearest point of the segment. If it moves away from that point, there is no impact.
+## The first impact of a ball that moves by [param motion] from [param old_position], in pixels,
+## with the segment. A ball that overlaps the segment already touches at the fraction 0 if it
+## approaches the nearest point of the segment. If it moves away from that point, there is no
+## impact.
 static func with_segment(
 	old_position: Vec2, motion: Vec2, radius: float, segment: LineSegment
 ) -> Impact:

@@ -1,7 +1,7 @@
 class_name ExactContact
 extends RefCounted
-## The point of its path at which a ball's centre is exactly one radius away from an infinite line, to
-## about 100 bits. It is the exact answer for position reset and point of impact.
+## The point of its path at which a ball's centre is exactly one radius away from an infinite line,
+## to about 100 bits. It is the exact answer for position reset and point of impact.
 ##
 ## The path is the straight line from the old to the new position, both taken as exact. Their
 ## distances from the line must differ.

@@ -6,8 +6,8 @@ extends RefCounted
 ## has an empty cell for its error, and an empty one for its run time if a world refused to go on.
 ## The figures have no column of their own; what matters of them is in the note.
 
-## The first line. The column "peer" is [member Measurement.is_baseline]: it has kept its old name, so
-## that older files can still be compared with new ones.
+## The first line. The column "peer" is [member Measurement.is_baseline]: it has kept its old name,
+## so that older files can still be compared with new ones.
 const COLUMNS := "problem,method,setting,peer,run_time_us,error,error_unit,note"
 
 

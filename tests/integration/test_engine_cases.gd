@@ -14,7 +14,9 @@ func after_each() -> void:
 func test_a_free_flight_is_right_by_every_method_at_every_rate() -> void:
 	for rate: int in [60, 240]:
 		var shot := BoxShot.new(300.0, 0.1)
-		for case in EngineShotCases.moved(self, shot, rate) + EngineShotCases.rigid(self, shot, rate, false):
+		for case in (
+			EngineShotCases.moved(self, shot, rate) + EngineShotCases.rigid(self, shot, rate, false)
+		):
 			@warning_ignore("redundant_await")
 			await case.run_once()
 			case.finish()

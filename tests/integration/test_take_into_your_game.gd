@@ -7,7 +7,9 @@ const NeededFiles := preload("res://tools/export/needed_files.gd")
 const PROJECT := "res://build/take_into_your_game"
 const SCRIPT := "main.gd"
 
-const _ROW := r"(?m)^\| \[(?<want>[^\]]+)\]\((?<link>#[^)]+)\) \| (?<files>[^|]+) \| (?<call>[^|]+) \|$"
+const _ROW := (
+	r"(?m)^\| \[(?<want>[^\]]+)\]\((?<link>#[^)]+)\)" + r" \| (?<files>[^|]+) \| (?<call>[^|]+) \|$"
+)
 const _SECTION := r"(?s)\n### %s\n.*?```gdscript\n(?<code>.*?)```\n\n```text\n(?<output>.*?)```\n"
 const _IN_BACKTICKS := "`([^`]+)`"
 
@@ -28,9 +30,11 @@ class Row:
 		for path: String in listed:
 			var full := "res://" + path
 			found.append_array(
-				SourceCode.files_below(full.trim_suffix("/"), ["gd"])
-				if path.ends_with("/")
-				else PackedStringArray([full])
+				(
+					SourceCode.files_below(full.trim_suffix("/"), ["gd"])
+					if path.ends_with("/")
+					else PackedStringArray([full])
+				)
 			)
 		found.sort()
 		return found
@@ -81,11 +85,13 @@ func _make_project(row: Row) -> void:
 	_remove(PROJECT)
 	DirAccess.make_dir_recursive_absolute(PROJECT)
 	_write("project.godot", "config_version=5\n")
-	_write(SCRIPT, "extends SceneTree\n\n\nfunc _init() -> void:\n%s\tquit()\n" % row.code.indent("\t"))
+	_write(
+		SCRIPT, "extends SceneTree\n\n\nfunc _init() -> void:\n%s\tquit()\n" % row.code.indent("\t")
+	)
 
 
-# Copies scripts to folders without `scripts/`, and lists their classes as Godot's import does, which
-# takes 6 s a project.
+# Copies scripts to folders without `scripts/`, and lists their classes as Godot's import does,
+# which takes 6 s a project.
 func _copy(files: PackedStringArray) -> void:
 	var classes: Array[Dictionary] = []
 	for file: String in files:

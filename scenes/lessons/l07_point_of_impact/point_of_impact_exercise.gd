@@ -89,7 +89,8 @@ func _ask_point() -> void:
 		var place := old_position.plus(motion.scaled(_fraction_with(number)))
 		_add(_components(place), _sentences()[number])
 	_add(
-		_components(new_position.plus(motion.scaled(fraction))), tr("t v is added to old, not to new.")
+		_components(new_position.plus(motion.scaled(fraction))),
+		tr("t v is added to old, not to new.")
 	)
 	_add(_components(motion.scaled(fraction)), tr("That is t v alone: old is missing."))
 	_add(_components(new_position), tr("That is new: it is behind the line already."))

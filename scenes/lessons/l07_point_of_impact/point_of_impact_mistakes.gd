@@ -12,8 +12,8 @@ const NOT_LIMITED := 17
 const FROM_NEW := 20
 
 
-## What the mistake with this number takes for the fraction of the frame until the contact; the right
-## t = a / b, not limited, for 0. Infinite or NaN where it divides by 0.
+## What the mistake with this number takes for the fraction of the frame until the contact; the
+## right t = a / b, not limited, for 0. Infinite or NaN where it divides by 0.
 static func fraction(number: int, old_distance: float, new_distance: float, radius: float) -> float:
 	match number:
 		OVER_NEW:

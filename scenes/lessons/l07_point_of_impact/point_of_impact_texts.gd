@@ -36,7 +36,9 @@ static func lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 ## What was found, in two or three lines, translated.
 static func verdict(model: PointOfImpactModel) -> PackedStringArray:
 	var words := _case_words(model.frame_case())
-	words[0] = words[0] % NumberText.short(model.fraction()) if words[0].contains("%s") else words[0]
+	words[0] = (
+		words[0] % NumberText.short(model.fraction()) if words[0].contains("%s") else words[0]
+	)
 	if model.mistake != 0:
 		words.append(_mistake_words(model))
 	return words

@@ -1,8 +1,8 @@
 class_name CapEquation
 extends RefCounted
-## The quadratic a t² + b t + c = 0 whose roots are the fractions of the frame at which a ball is one
-## radius away from a point, with all its parts for the formula lines. [CapImpact] computes the same
-## in one go.
+## The quadratic a t² + b t + c = 0 whose roots are the fractions of the frame at which a ball is
+## one radius away from a point, with all its parts for the formula lines. [CapImpact] computes the
+## same in one go.
 
 ## From the point to the ball's centre at the beginning of the frame, in pixels.
 var difference: Vec2

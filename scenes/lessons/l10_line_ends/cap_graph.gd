@@ -1,7 +1,7 @@
 class_name CapGraph
 extends Control
-## The distance of the ball's centre from the end of the line against the fraction of the frame. Where
-## it is the radius, the quadratic has its roots.
+## The distance of the ball's centre from the end of the line against the fraction of the frame.
+## Where it is the radius, the quadratic has its roots.
 
 const _MARGIN_LEFT := 16.0
 const _MARGIN_RIGHT := 44.0

@@ -6,9 +6,9 @@ class_name LineEndsMistakes
 const NUMBERS: Array[int] = [18, 19, 20, 22, 23]
 
 
-## The impact that the mistake [param number] leads to for the shot of [param model]. Its fraction may
-## be any number, NaN included: that is the mistake. Where the mistake plays no part, it is the right
-## impact.
+## The impact that the mistake [param number] leads to for the shot of [param model]. Its fraction
+## may be any number, NaN included: that is the mistake. Where the mistake plays no part, it is the
+## right impact.
 static func impact(number: int, model: LineEndsModel) -> Impact:
 	var right := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	var flat_hit := right.hit and right.feature == Impact.Feature.LINE

@@ -22,8 +22,8 @@ var _cases: Dictionary[String, Array] = {}
 var _runs: Dictionary[String, MeasuringRun] = {}
 
 
-## A model whose problems are also solved by what [param engine_cases] returns for a problem's id: an
-## Array[MeasuredCase].
+## A model whose problems are also solved by what [param engine_cases] returns for a problem's id:
+## an Array[MeasuredCase].
 func _init(engine_cases: Callable) -> void:
 	_engine_cases = engine_cases
 

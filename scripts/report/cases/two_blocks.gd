@@ -4,9 +4,9 @@ extends RefCounted
 ## block that is at rest between it and the wall. All impacts are elastic. For a mass ratio of 100^n
 ## the number of impacts gives the first n + 1 digits of pi (Galperin, Playing Pool with Pi, 2003).
 ##
-## The code makes no use of that: it finds the earlier one of the two next impacts from positions and
-## velocities, and moves both blocks there. Everything happens on one axis, in pixels from the wall.
-## The light block's mass is 1. The blocks have no width: it would only shift the heavy one.
+## The code makes no use of that: it finds the earlier one of the two next impacts from positions
+## and velocities, and moves both blocks there. Everything happens on one axis, in pixels from the
+## wall. The light block's mass is 1. The blocks have no width: it would only shift the heavy one.
 
 ## Where the light block is at the start, in pixels from the wall.
 const LIGHT_START := 100.0

@@ -136,7 +136,9 @@ static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
 			"at least %s" % bound
 		)
 		found.append(
-			goal.at_least(baseline.run_time_us / own.run_time_us if own and baseline else NAN, bound)
+			goal.at_least(
+				baseline.run_time_us / own.run_time_us if own and baseline else NAN, bound
+			)
 		)
 	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
 	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")

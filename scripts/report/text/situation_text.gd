@@ -62,7 +62,8 @@ static func _against(own: Measurement, baseline: Measurement, words: String) -> 
 	var times := FigureText.ratio(baseline.run_time_us, own.run_time_us)
 	var errors := FigureText.ratio(baseline.error, own.error)
 	var text := (
-		" The %s, %s, takes %s times as long as %s" % [words, name_of(baseline), times, name_of(own)]
+		" The %s, %s, takes %s times as long as %s"
+		% [words, name_of(baseline), times, name_of(own)]
 	)
 	if errors == "-":
 		return text + " and is %s off." % FigureText.of(baseline)

@@ -1,7 +1,7 @@
 class_name SteppingMethods
 extends RefCounted
-## The four ways of stepping a [SteppedWorld], and the mover of each. The list is kept apart from the
-## world, so that a game that steps in one way does not carry the other three.
+## The four ways of stepping a [SteppedWorld], and the mover of each. The list is kept apart from
+## the world, so that a game that steps in one way does not carry the other three.
 
 ## The ways of stepping: [PositionResetMover], [PointOfImpactMover], [WholeFrameMover] and
 ## [EventMover].

@@ -1,9 +1,9 @@
 class_name WorldState
 extends RefCounted
-## A stepped world as a dictionary of numbers, for undo and links, and back.
+## Turns a stepped world into a dictionary of numbers, for undo and links, and back.
 
 
-## Everything but the way of stepping: lines, gravity, bounciness, balls, counters.
+## Everything but the mover: lines, gravity, bounciness, balls, counters.
 static func of(world: SteppedWorld) -> Dictionary:
 	var ends: PackedFloat64Array = []
 	for line in world.surroundings.segments:

@@ -212,9 +212,15 @@ static func _difference_from_sampling(
 	for stride: int in range(1, 501):
 		if _distance(old.plus(motion.scaled(stride / 500.0)), segment) < RADIUS - 1e-9:
 			var is_in_stride := (
-				impact.hit and impact.fraction <= stride / 500.0 and impact.fraction >= (stride - 1) / 500.0
+				impact.hit
+				and impact.fraction <= stride / 500.0
+				and impact.fraction >= (stride - 1) / 500.0
 			)
-			return "" if is_in_stride else "touches in stride %d, not at %s" % [stride, impact.fraction]
+			return (
+				""
+				if is_in_stride
+				else "touches in stride %d, not at %s" % [stride, impact.fraction]
+			)
 	# Between two strides a ball may dip into the line unseen, but not deeper than half a stride.
 	var middle := old.plus(motion.scaled(impact.fraction + 0.001))
 	if impact.hit and _distance(middle, segment) < RADIUS - 0.5:

@@ -109,7 +109,9 @@ func test_the_exact_fraction_at_an_end_differs_by_rounding_only() -> void:
 
 func test_the_exact_fraction_is_far_closer_than_a_double() -> void:
 	# t = (4 - sqrt(2)) / 2: with 100 bits, 2 t - 4 squared is 2 again.
-	var exact := ExactImpactFraction.with_point(Vec2.new(-2, 1), Vec2.new(1, 0), sqrt(2.0), Vec2.zero())
+	var exact := ExactImpactFraction.with_point(
+		Vec2.new(-2, 1), Vec2.new(1, 0), sqrt(2.0), Vec2.zero()
+	)
 	var distance_squared := exact.minus(DoubleDouble.from_float(2.0))
 	distance_squared = distance_squared.times(distance_squared)
 	var radius_squared := DoubleDouble.product_of(sqrt(2.0), sqrt(2.0))

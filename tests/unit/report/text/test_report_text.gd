@@ -23,7 +23,8 @@ func test_a_situation_names_the_frontier_and_the_ratios() -> void:
 	)
 	assert_string_contains(text, "own 40.0 µs, 2.0e-9 px.")
 	assert_string_contains(
-		text, "fastest baseline, quick baseline (60 Hz), takes 0.25 times as long as own and is 2.0e9 times"
+		text,
+		"fastest baseline, quick baseline (60 Hz), takes 0.25 times as long as own and is 2.0e9 times"
 	)
 	assert_string_contains(text, "most exact baseline, fine baseline, takes 5.0 times as long")
 
@@ -163,7 +164,9 @@ func _balls(method: String, rate: int, time: float) -> Measurement:
 	return row
 
 
-func _row(method: String, tuning: String, is_baseline: bool, time: float, error: float) -> Measurement:
+func _row(
+	method: String, tuning: String, is_baseline: bool, time: float, error: float
+) -> Measurement:
 	var row := Measurement.new()
 	row.problem = "ball_in_box"
 	row.situation = "300 px/s"
