@@ -1,9 +1,9 @@
 class_name CollideFlight
 extends ShotFlight
-## A ball's flight by move_and_collide, as its documentation has it: with the default margin, and
-## the rest of the motion bounced and used until it is used up.
+## A ball's flight by move_and_collide, as in Godot's documentation: with the default margin, and
+## with the rest of the motion bounced and used until nothing is left.
 ##
-## The body moves by itself, so many steps fit into one physics frame.
+## The call moves the body at once, so that many steps fit into one physics frame.
 
 var _host: Node
 var _is_one_shape: bool

@@ -1,7 +1,7 @@
 class_name MotionTestFlight
 extends ShotFlight
-## A ball's flight by PhysicsServer2D.body_test_motion: the engine says how far the motion is safe
-## and which way the wall faces; position and velocity are kept here.
+## A ball's flight by PhysicsServer2D.body_test_motion: the engine returns how far the ball can move
+## and the normal of the wall; position and velocity are kept here.
 
 var _host: Node
 var _is_one_shape: bool

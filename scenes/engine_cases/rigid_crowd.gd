@@ -36,7 +36,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the nodes are a step behind.
+# Reads from the physics server, because the nodes are one step behind.
 func _read() -> void:
 	var at := 0
 	for body in _bodies:

@@ -36,7 +36,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the node is a step behind.
+# Reads from the physics server, because the node is one step behind.
 func _read() -> void:
 	var state: Transform2D = PhysicsServer2D.body_get_state(
 		_body, PhysicsServer2D.BODY_STATE_TRANSFORM

@@ -2,7 +2,7 @@ class_name RigidFlight
 extends ShotFlight
 ## A ball's flight by RigidBody2D, which the engine moves in its own physics frames.
 
-## How the ways of continuous detection are named in tables.
+## The names of the methods in tables, by their continuous detection.
 const MODES: Dictionary[RigidBody2D.CCDMode, String] = {
 	RigidBody2D.CCD_MODE_DISABLED: "RigidBody2D",
 	RigidBody2D.CCD_MODE_CAST_RAY: "RigidBody2D, CCD ray",
@@ -42,7 +42,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the node is a step behind.
+# Reads from the physics server, because the node is one step behind.
 func _read() -> void:
 	var state: Transform2D = PhysicsServer2D.body_get_state(
 		_body, PhysicsServer2D.BODY_STATE_TRANSFORM

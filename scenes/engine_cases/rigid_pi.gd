@@ -1,11 +1,11 @@
 class_name RigidPi
 extends PiCase
-## Two blocks and a wall by RigidBody2D: two round bodies on a line. An impact is a step after which
-## the light one has another velocity.
+## Two blocks and a wall by RigidBody2D: two round bodies on a line. A step that changes the
+## velocity of the light body counts as an impact.
 
-# Pixels.
+# The radius of both bodies, in pixels.
 const _RADIUS := 10.0
-# Pixels per second; less is no impact.
+# Pixels per second. A smaller change of velocity is no impact.
 const _LEAST_CHANGE := 1e-3
 
 var _host: Node

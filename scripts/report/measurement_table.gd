@@ -19,7 +19,7 @@ static func to_csv(measurements: Array[Measurement]) -> String:
 	return "\n".join(lines) + "\n"
 
 
-## The cells of one line, without their quotes. Line breaks inside of cells are not known here:
+## The cells of one line, without their quotes. Cells with line breaks are not supported, because
 ## none is ever written.
 static func cells(line: String) -> PackedStringArray:
 	var found: PackedStringArray = [""]
@@ -28,7 +28,7 @@ static func cells(line: String) -> PackedStringArray:
 	for character in line:
 		if character == '"':
 			is_quoted = not is_quoted
-			# Two quotes inside of quotes are one: the second opens again.
+			# Two quotes within quotes stand for one: the second opens the cell again.
 			if is_quoted and last == '"':
 				found[-1] += '"'
 		elif character == "," and not is_quoted:

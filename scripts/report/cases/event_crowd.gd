@@ -2,13 +2,13 @@ class_name EventCrowd
 extends CrowdFlight
 ## Many balls in the event world.
 
-## How it is named in tables.
+## The name of the method in tables.
 const METHOD := "event world"
 
 var _world: EventWorld
 
 
-## These balls, read so many times a second.
+## A flight of these balls, which are read [param at_rate] times a second.
 func _init(of_crowd: Crowd, at_rate: int) -> void:
 	super(of_crowd, at_rate)
 	method = METHOD

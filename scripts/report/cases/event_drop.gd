@@ -2,13 +2,13 @@ class_name EventDrop
 extends DropCase
 ## The dropped ball in the event world: exact between the bounces, however long a step is.
 
-## How it is named in tables.
+## The name of the method in tables.
 const METHOD := "event world"
 
 var _world: EventWorld
 
 
-## A ball with this bounciness, looked at so many times a second.
+## A ball with this bounciness, which is read [param at_rate] times a second.
 func _init(with_bounciness: float, at_rate: int) -> void:
 	super(with_bounciness, at_rate)
 	method = METHOD

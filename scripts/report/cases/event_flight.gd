@@ -2,14 +2,15 @@ class_name EventFlight
 extends ShotFlight
 ## A ball's flight in the event world.
 
-## How the ways of holding the segments are named in tables.
+## How the world holds the segments: as its four walls, in a grid, or in a list that is searched
+## whole.
 enum Form { WALLS, GRID, SCAN }
 
 var _form: Form
 var _world: EventWorld
 
 
-## A flight in a world of this form; [constant Form.WALLS] is for the box alone.
+## A flight in a world of this form; [constant Form.WALLS] is for the box only.
 func _init(form: Form, method_name: String, of_shot: Shot, at_rate: int) -> void:
 	super(of_shot, at_rate)
 	_form = form

@@ -2,7 +2,7 @@ class_name EventPi
 extends PiCase
 ## Two blocks and a wall, from impact to impact; see [TwoBlocks].
 
-## How it is named in tables.
+## The name of the method in tables.
 const METHOD := "from impact to impact"
 
 const _AT_ONCE := 100_000_000

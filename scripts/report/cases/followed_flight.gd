@@ -1,8 +1,8 @@
 class_name FollowedFlight
 extends EventFlight
-## A ball's flight in the event world by a loop of its own: it asks the world where the ball is and
-## how fast only when something has happened, and follows the straight flight itself until the next
-## event. This spares three calls a frame.
+## A ball's flight in the event world with a loop of its own. It asks the world for position and
+## velocity only after an event, and computes the straight flight until the next event itself. This
+## saves three calls a frame.
 
 
 func _fly(count: int) -> void:

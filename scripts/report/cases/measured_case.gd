@@ -1,9 +1,9 @@
 @abstract class_name MeasuredCase
 extends RefCounted
-## One thing to be measured: a method, in a situation, run several times.
+## One case to measure: a method in a situation, run several times.
 ##
-## Whoever measures calls [method run_once] for each case in turn, again and again, so that a slow
-## moment of the machine hits all alike, and then asks for [method result].
+## The caller runs each case once by [method run_once], then each a second time, and so on, so that
+## a slow moment of the machine affects all alike. Then it asks for [method result].
 
 ## The problem's id; see [member Measurement.problem].
 var problem := ""
@@ -19,8 +19,8 @@ var setting: String:
 		return Measurement.setting_of(situation, tuning)
 ## See [member Measurement.is_baseline].
 var is_baseline := false
-## Whether a run waits for physics frames of the engine. Then it is measured rightly only where
-## these come as fast as they can: headless with --fixed-fps.
+## Whether a run waits for physics frames of the engine. Its run time is right only where these come
+## as fast as they can: headless with --fixed-fps.
 var needs_frames := false
 ## See [member Measurement.error]; known after the first run.
 var error := 0.0
@@ -36,12 +36,12 @@ var refusal := ""
 
 var _run_times: PackedFloat64Array = []
 
-## Runs it once and keeps the time by [method keep_run]; has to be awaited where [member
-## needs_frames] is set. In the quick form it takes at most about 50 ms.
+## Runs the case once and keeps its time by [method keep_run]. It must be awaited if
+## [member needs_frames] is set. In the quick form it takes at most about 50 ms.
 @abstract func run_once() -> void
 
 
-## Gives back what a case holds outside of itself, such as nodes, after the last run.
+## Frees what the case holds, such as nodes; call it after the last run.
 func finish() -> void:
 	pass
 
@@ -57,7 +57,7 @@ func keep_refusal(problem: String) -> void:
 		refusal = problem
 
 
-## How many runs have been kept.
+## The number of runs that have been kept.
 func runs() -> int:
 	return _run_times.size()
 
@@ -84,7 +84,7 @@ func result() -> Measurement:
 	return measurement
 
 
-## The middle one of the values, or the mean of the two middle ones; 0 if there is none.
+## The median: the middle value, or the mean of the two middle values; 0 if there is none.
 static func median(values: PackedFloat64Array) -> float:
 	if values.is_empty():
 		return 0.0

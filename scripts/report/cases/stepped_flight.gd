@@ -2,7 +2,7 @@ class_name SteppedFlight
 extends ShotFlight
 ## A ball's flight in one of the lecture's ways of stepping.
 
-## How the ways are named in tables.
+## The names of the ways in tables.
 const METHODS: Dictionary[SteppingMethods.Method, String] = {
 	SteppingMethods.Method.POSITION_RESET: "position reset",
 	SteppingMethods.Method.POINT_OF_IMPACT: "impact, rest dropped",
@@ -24,8 +24,8 @@ func _init(way: SteppingMethods.Method, of_shot: Shot, at_rate: int) -> void:
 	note = "not flown to the end yet"
 
 
-## A run is a fifth of the flight, because stepping is slow: five of them make one flight. The world
-## stays between them.
+## See [method MeasuredCase.run_once]. Stepping is slow, so a run is a fifth of the flight: the
+## world is kept, and five runs make one flight.
 func run_once() -> void:
 	if runs() % _PARTS == 0:
 		_set_up()

@@ -1,35 +1,35 @@
 class_name ReportGoals
 extends RefCounted
-## What the event world has to reach, as ratios of one run, and what the measurements say of it.
+## The goals of the event world, as ratios within one run, and whether the measurements reach them.
 
-## The ways to use the event world that are judged, and what is said of them.
+## The ways to use the event world that are judged, with their words for the table.
 const WAYS: Dictionary[String, String] = {
 	BallInBoxProblem.ONE_CALL: "in one call for the whole flight",
 	BallInBoxProblem.EVENT_WORLD: "called each frame",
 	BallInBoxProblem.FOLLOWED: "flights followed by the caller",
 }
-## How many times faster than move_and_collide at 60 Hz, by speed in px/s. At the last the ball
-## bounces more than once a frame.
+## The least ratio to the run time of move_and_collide at 60 Hz, by speed in px/s. At the highest
+## speed the ball bounces more than once a frame.
 const BOX_RATIOS: Dictionary[float, float] = {300.0: 2.5, 3000.0: 2.5, 30000.0: 1.5}
-## Pixels after the long flight in the box.
+## The largest error after the long flight in the box, in pixels.
 const BOX_ERROR := 1e-9
-## The growth of the time of a frame with the number of segments.
+## The largest growth exponent of the run time of a frame with the number of segments.
 const GROWTH := 0.05
-## How many times faster than the engine's concave shape.
+## The least ratio to the run time of the engine's concave shape.
 const SEGMENTS_RATIO := 3.0
-## From so many segments on.
+## The least number of segments at which that ratio is judged.
 const SEGMENTS_FROM := 1024
-## So many balls are judged.
+## The number of balls that is judged.
 const CROWD := 1000
-## How many times faster than RigidBody2D, by its rate.
+## The least ratio to the run time of RigidBody2D, by its rate.
 const CROWD_RATIOS: Dictionary[int, float] = {60: 1.0, 240: 3.0}
-## The drift of the energy of all balls, as a share of it.
+## The largest drift of the energy of all balls, as a fraction of it.
 const CROWD_DRIFT := 1e-12
-## Pixels by which two balls may overlap.
+## The deepest overlap of two balls, in pixels.
 const CROWD_OVERLAP := 1e-9
 
 
-## Every goal, judged where this run has measured what it needs.
+## All goals; each is judged if this run has measured what it needs.
 static func of(measurements: Array[Measurement]) -> Array[ReportGoal]:
 	var box := Measurement.of_problem("ball_in_box", measurements)
 	var found: Array[ReportGoal] = [_frontier(box)]
@@ -148,7 +148,7 @@ static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
 	return found
 
 
-# The measurement of a method at a rate; null where there is none.
+# The measurement of a method at a rate; null if there is none.
 static func _row(
 	rows: Array[Measurement], method: String, situation: String, rate: int
 ) -> Measurement:
@@ -158,7 +158,7 @@ static func _row(
 	return null
 
 
-# The run time of a method at 60 Hz, or in one call; NaN where it was not measured.
+# The run time of a method at 60 Hz, or in one call; NaN if it was not measured.
 static func _time(rows: Array[Measurement], method: String, situation: String) -> float:
 	for row in ProblemPicture.in_situation(situation, rows):
 		if row.method == method and row.tuning in ["60 Hz", OneCallFlight.TUNING]:

@@ -1,9 +1,9 @@
 class_name ReportText
 extends RefCounted
-## The text of report.md: for each problem who is on the frontier, and by what ratios.
+## The text of report.md: for each problem, which methods are on the frontier, and by what ratios.
 
 
-## The whole text. [param circumstances] says where and how it was measured.
+## The complete text. [param circumstances] says where and how it was measured.
 static func of(
 	problems: Array[ReportProblem], measurements: Array[Measurement], circumstances: String
 ) -> String:

@@ -1,6 +1,6 @@
 class_name SituationText
 extends RefCounted
-## What the report says of one situation of a problem: one item of a list.
+## The text of the report on one situation of a problem: one item of a list.
 
 
 ## The frontier, how the best baselines compare with the method [param champion] (or with the most
@@ -17,7 +17,8 @@ static func of(situation: String, rows: Array[Measurement], champion: String) ->
 	return text + _without_answer(rows)
 
 
-## The fastest of the lab's own or of the baselines that gave an answer; null if there is none.
+## The fastest method with an answer, among the lab's own or among the baselines; null if there is
+## none.
 static func fastest(rows: Array[Measurement], is_baseline: bool) -> Measurement:
 	var best: Measurement = null
 	for row in rows:
@@ -27,7 +28,7 @@ static func fastest(rows: Array[Measurement], is_baseline: bool) -> Measurement:
 	return best
 
 
-## The one with the smallest error, the faster one of equal ones; null if there is none.
+## The method with the smallest error, and of equal ones the faster; null if there is none.
 static func most_exact(rows: Array[Measurement], is_baseline: bool) -> Measurement:
 	var best: Measurement = null
 	for row in rows:
@@ -37,7 +38,7 @@ static func most_exact(rows: Array[Measurement], is_baseline: bool) -> Measureme
 	return best
 
 
-## Method and tuning, without the situation.
+## The name of method and tuning, without the situation.
 static func name_of(row: Measurement) -> String:
 	return row.method if row.tuning == "" else "%s (%s)" % [row.method, row.tuning]
 
