@@ -26,8 +26,8 @@ static func with_line(old_position: Vec2, motion: Vec2, radius: float, line: Lin
 		return Impact.miss(Impact.Outcome.MOVING_AWAY)
 	# a / b as on the slide. Here b comes from the motion: old - new would lose its digits where
 	# both distances are large.
-	var fraction := maxf((old_distance - radius) / approach, 0.0)
-	if fraction > 1.0:
+	var fraction_of_frame := maxf((old_distance - radius) / approach, 0.0)
+	if fraction_of_frame > 1.0:
 		return Impact.miss(Impact.Outcome.TOO_FAR)
-	var position := old_position.plus(motion.scaled(fraction))
-	return Impact.at(fraction, position, normal, Impact.Feature.LINE)
+	var position := old_position.plus(motion.scaled(fraction_of_frame))
+	return Impact.at(fraction_of_frame, position, normal, Impact.Feature.LINE)

@@ -48,10 +48,10 @@ func test_every_lesson_has_its_section_for_teachers() -> void:
 func test_every_call_in_the_list_of_queries_exists() -> void:
 	var calls := _found("docs/collision_queries.md", "`(\\w+\\.\\w+)\\(")
 	assert_gt(calls.size(), 20, "calls are found")
-	for call in calls:
-		var owner := call.get_slice(".", 0)
-		owner = _VARIABLES.get(owner, owner)
-		assert_has(_methods_of(owner), call.get_slice(".", 1), call)
+	for listed in calls:
+		var owner_name := listed.get_slice(".", 0)
+		owner_name = _VARIABLES.get(owner_name, owner_name)
+		assert_has(_methods_of(owner_name), listed.get_slice(".", 1), listed)
 
 
 func _methods_of(class_name_wanted: String) -> PackedStringArray:

@@ -46,8 +46,8 @@ func test_every_row_has_a_section_with_a_snippet_that_makes_its_calls() -> void:
 	for row: Row in rows:
 		assert_eq(row.link, "#" + row.want.to_lower().replace(",", "").replace(" ", "-"))
 		assert_ne(row.code, "", "a section named " + row.want)
-		for call: String in row.calls:
-			assert_string_contains(row.code, call.get_slice("(", 0) + "(")
+		for listed: String in row.calls:
+			assert_string_contains(row.code, listed.get_slice("(", 0) + "(")
 
 
 func test_every_row_lists_what_its_snippet_needs_and_nothing_else() -> void:

@@ -24,9 +24,9 @@ func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		var problem := world.advance(step_seconds)
-		if problem:
-			keep_refusal(problem)
+		var refused := world.advance(step_seconds)
+		if refused:
+			keep_refusal(refused)
 			break
 		_places = world.positions()
 	_spent = Time.get_ticks_usec() - start

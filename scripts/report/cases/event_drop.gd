@@ -26,9 +26,9 @@ func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		var problem := world.advance(step_seconds)
-		if problem:
-			keep_refusal(problem)
+		var refused := world.advance(step_seconds)
+		if refused:
+			keep_refusal(refused)
 			break
 		_height = -world.position_y(0) - DroppedBall.RADIUS
 	_spent = Time.get_ticks_usec() - start

@@ -19,9 +19,9 @@ func _fly(count: int) -> void:
 	for i in count:
 		var now := begin + (i + 1) * step_seconds
 		if now >= until:
-			var problem := world.advance_to(now)
-			if problem:
-				keep_refusal(problem)
+			var refused := world.advance_to(now)
+			if refused:
+				keep_refusal(refused)
 				break
 			until = world.next_event_time()
 			from = now

@@ -52,9 +52,9 @@ func keep_run(run_time_us: float) -> void:
 
 
 ## Keeps the answer of a world that must not refuse, "" or a sentence.
-func keep_refusal(problem: String) -> void:
+func keep_refusal(answer: String) -> void:
 	if refusal == "":
-		refusal = problem
+		refusal = answer
 
 
 ## The number of runs that have been kept.

@@ -16,8 +16,8 @@ func _init(method_name: String, of_shot: Shot) -> void:
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
-	var problem := world.advance(count * step_seconds)
+	var refused := world.advance(count * step_seconds)
 	_x = world.position_x(0)
 	_y = world.position_y(0)
 	_spent = Time.get_ticks_usec() - start
-	keep_refusal(problem)
+	keep_refusal(refused)

@@ -47,9 +47,9 @@ func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		var problem := world.step(step_seconds)
-		if problem:
-			keep_refusal(problem)
+		var refused := world.step(step_seconds)
+		if refused:
+			keep_refusal(refused)
 			break
 		var place := world.balls[0].position
 		_x = place.x
