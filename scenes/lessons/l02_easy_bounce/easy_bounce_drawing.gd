@@ -80,22 +80,22 @@ func _show_move() -> void:
 
 
 func _show_distances() -> void:
-	var centre := _moved.position
-	var foot := _model.shortest_foot(centre)
+	var center := _moved.position
+	var foot := _model.shortest_foot(center)
 	# The side of the straight line on which the perpendicular lies.
 	var beside := Vec2.new(0.0, 1.0) if _model.is_wall else Vec2.new(-1.0, 0.0)
 	if _model.tilt_degrees < 0.0:
 		beside = beside.negated()
 	_shortest.visible = true
-	_shortest.label = NumberText.short(_model.shortest_distance(centre))
-	_shortest.lay(centre, foot, beside)
+	_shortest.label = NumberText.short(_model.shortest_distance(center))
+	_shortest.lay(center, foot, beside)
 	if _are_same:
 		return
 	_shortest.label = tr("shortest %s") % _shortest.label
 	_straight.visible = true
-	_straight.label = tr("easy %s") % NumberText.short(_model.straight_distance(centre))
-	_straight.lay(centre, _model.straight_foot(centre), beside.negated())
-	_corner.measure(foot, centre.minus(foot), _model.line().along())
+	_straight.label = tr("easy %s") % NumberText.short(_model.straight_distance(center))
+	_straight.lay(center, _model.straight_foot(center), beside.negated())
+	_corner.measure(foot, center.minus(foot), _model.line().along())
 
 
 func _show_put_back() -> void:

@@ -2,7 +2,7 @@ class_name EasyBounceFormula
 extends RefCounted
 ## The formula of the lesson on the easy bounce: its lines, and what each name in them is.
 ##
-## The numbers of either program have the colour of its ball.
+## The numbers of either program have the color of its ball.
 
 var _formula: Formula
 

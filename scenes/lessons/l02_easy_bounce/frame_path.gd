@@ -1,9 +1,9 @@
 @tool
 class_name FramePath
 extends BoardPart
-## Where a ball is frame by frame: its rim and its centre in each frame, joined by a line.
+## Where a ball is frame by frame: its rim and its center in each frame, joined by a line.
 
-## The centres of the ball in order, in units of the plane. 32 bits; [method lay] keeps all digits.
+## The centers of the ball in order, in units of the plane. 32 bits; [method lay] keeps all digits.
 @export var places: PackedVector2Array = []:
 	get:
 		var rounded: PackedVector2Array = []
@@ -28,10 +28,10 @@ extends BoardPart
 var _places: Array[Vec2] = []
 
 
-## Shows a ball of radius [param its_radius] with its centre at each of [param centres], in order;
+## Shows a ball of radius [param its_radius] with its center at each of [param centers], in order;
 ## units of the plane.
-func lay(centres: Array[Vec2], its_radius: float) -> void:
-	_places = centres
+func lay(centers: Array[Vec2], its_radius: float) -> void:
+	_places = centers
 	radius = its_radius
 
 

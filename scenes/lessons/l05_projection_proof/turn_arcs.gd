@@ -49,10 +49,10 @@ func _draw() -> void:
 
 
 func _draw_arc(head: Vec2) -> void:
-	var centre := board.to_screen(Vec2.new())
-	var radius := centre.distance_to(board.to_screen(head))
+	var center := board.to_screen(Vec2.new())
+	var radius := center.distance_to(board.to_screen(head))
 	var start := head.angle_radians()
 	var stroke := _turn / _STROKES
 	for i in _STROKES:
 		var from := start + stroke * i
-		draw_arc(centre, radius, from, from + stroke * 0.5, 4, Palette.AXIS, 1.5, true)
+		draw_arc(center, radius, from, from + stroke * 0.5, 4, Palette.AXIS, 1.5, true)
