@@ -73,7 +73,7 @@ func _ask_put_back() -> void:
 		% texts
 	)
 	_ask_for(["y ="], [_floor_y - _radius])
-	add_mistake([_floor_y], tr("Then its center lies on the floor: take the radius off."))
+	add_mistake([_floor_y], tr("Then its centre lies on the floor: take the radius off."))
 	add_mistake([_floor_y + _radius], tr("y points down: above the floor is floor − r."))
 	add_mistake([_radius - _floor_y], tr("The sign is wrong: floor − r, not r − floor."))
 
