@@ -8,7 +8,7 @@ extends Node2D
 @onready var _from: Handle = %From
 @onready var _ball: BallView = %Ball
 @onready var _ball_handle: BallHandle = %BallHandle
-@onready var _labels: LineDistanceLabels = %Labels
+@onready var _names: DistanceNames = %Names
 @onready var _difference: Arrow = %Difference
 @onready var _normal: Arrow = %Normal
 @onready var _shadow: Arrow = %Shadow
@@ -33,6 +33,7 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_gap(model, step)
 	_lay_to_segment(model, step)
 	_lay_mistake(model)
+	_names.show_change()
 
 
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
@@ -49,10 +50,9 @@ func _lay_ball(model: LineDistanceModel, step: int) -> void:
 
 
 func _lay_normal(model: LineDistanceModel, step: int) -> void:
-	var times := 2.0 * _endless.board.grid_step
-	_normal.lay(model.from(), model.from().plus(model.line.normal().scaled(times)))
+	var drawn := model.line.normal().scaled(_names.times())
+	_normal.lay(model.from(), model.from().plus(drawn))
 	_normal.visible = step >= 1
-	_labels.lay(model, step, times)
 
 
 func _lay_shadow(model: LineDistanceModel, step: int) -> void:
