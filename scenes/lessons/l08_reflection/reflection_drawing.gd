@@ -43,7 +43,7 @@ func show_ball(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_ball.lay(model.ball_centre(radius, leaving), radius)
 	# Up to the line both balls are one.
 	_wrong_ball.visible = model.mistake > 0 and model.time > 0.0
-	_wrong_ball.lay(ReflectionMistakes.ball_centre(model, radius), radius)
+	_wrong_ball.lay(model.ball_centre_with_mistake(radius), radius)
 
 
 func _lay_line(model: ReflectionModel) -> void:
@@ -95,7 +95,7 @@ func _lay_wrong(model: ReflectionModel) -> void:
 	var is_into_table := model.mistake == ReflectionMistakes.NORMAL_OF_NORMAL
 	_wrong.label_place = Arrow.LabelPlace.MIDDLE if is_into_table else Arrow.LabelPlace.HEAD
 	_wrong.keep_label_from(model.velocity)
-	_wrong.lay(Vec2.new(), ReflectionMistakes.velocity_after(model))
+	_wrong.lay(Vec2.new(), model.velocity_with_mistake())
 	_wrong.visible = model.mistake > 0
 	# Reflected again, the wrong arrow ends where these have their names.
 	var is_crowded := model.mistake == ReflectionMistakes.REFLECTED_AGAIN
