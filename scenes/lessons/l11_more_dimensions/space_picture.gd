@@ -15,6 +15,11 @@ signal head_released
 const _TURN_PER_PIXEL := 0.01
 const _AXIS_NAMES: PackedStringArray = ["x", "y", "z"]
 
+## The view at the start, turned about the y axis: what [member Axonometry.yaw] is then.
+@export_range(-180.0, 180.0, 0.001, "radians_as_degrees") var yaw := 0.5
+## The view at the start, tilted: what [member Axonometry.pitch] is then.
+@export_range(-80.0, 80.0, 0.001, "radians_as_degrees") var pitch := -0.45
+
 var _reach := 1.0
 # Where the drag that turns the view was last; null while there is none.
 var _grip: Vec2
@@ -30,6 +35,9 @@ var _grip: Vec2
 
 func _ready() -> void:
 	super()
+	# The editor would save what is set here.
+	if Engine.is_editor_hint():
+		return
 	_head_of_a.title = tr("Head of %s") % "a"
 	_head_of_b.title = tr("Head of %s") % "b"
 	_head_of_a.moved.connect(func(point: Vec2) -> void: head_moved.emit("a", point))
