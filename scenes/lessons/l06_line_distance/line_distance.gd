@@ -22,11 +22,10 @@ var _readout: LineDistanceReadout
 @onready var _from: Handle = %From
 @onready var _ball: BallView = %Ball
 @onready var _ball_handle: BallHandle = %BallHandle
-@onready var _verdict: VerdictCard = %Verdict
 
 
 func start() -> void:
-	_model.move_line(_line.tail_point(), _line.head_point())
+	_model.line = LineSegment.new(_line.tail_point(), _line.head_point())
 	_model.slide_to(_from.at())
 	_model.ball = Ball.new(_ball.at(), _ball.radius)
 	on_drag(_line.moved, _line.released, _model.move_line)
@@ -34,20 +33,15 @@ func start() -> void:
 	on_drag(_ball_handle.moved, _ball_handle.released, _move_ball)
 	on_point(MOUSE_BUTTON_LEFT, _put_ball)
 	on_point(MOUSE_BUTTON_RIGHT, _model.slide_to)
-	_fill_panel()
-	begin(_model, _show, _model.points_to_show)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = LineDistanceFormula.new(formula)
+	_formula = LineDistanceFormula.new(services[&"formula"] as Formula)
 	_readout = LineDistanceReadout.new(services[&"readout"] as Readout)
 	(services[&"options"] as LessonOptions).offer_presets(_PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(LineDistanceMistakes.infos())
 	var kinds := LineDistanceExercise.Kind.size()
 	(services[&"question"] as Question).offer(LineDistanceExercise.fresh, kinds)
-	on_edit(formula.number_entered, _model.enter)
+	on_edit((services[&"formula"] as Formula).number_entered, _model.enter)
 	on_pick(_model.take)
+	begin(_model, _show, _model.points_to_show)
 
 
 # What the student does.
@@ -75,18 +69,3 @@ func _show() -> void:
 	_drawing.show_model(_model, _steps.step)
 	_formula.show_model(_model, _steps.step)
 	_readout.show_model(_model)
-	_show_verdict()
-
-
-# The card gives way to the ball, and to where a mistake has it.
-func _show_verdict() -> void:
-	_verdict.show_verdict(
-		NumberText.MINUS if _model.is_behind() else "+",
-		Palette.Role.WRONG if _model.is_overlapping() else Palette.Role.RIGHT,
-		LineDistanceTexts.verdict(_model)
-	)
-	var balls: PackedVector2Array = [board.to_screen(_model.ball.position)]
-	var wrong := _model.position_with_mistake()
-	if _model.mistake != 0 and wrong.is_finite():
-		balls.append(board.to_screen(wrong))
-	_verdict.keep_off(balls, _model.ball.radius * board.pixels_per_unit)

@@ -1,7 +1,7 @@
 class_name LineDistanceDrawing
 extends Node2D
 ## The drawing of the lesson on the distance from a line: difference vector, its shadow on the
-## normal, the gap, and what the mistake that is switched on makes of it.
+## normal, the gap, what the mistake that is switched on makes of it, and the verdict.
 
 @onready var _endless: InfiniteLine = %Endless
 @onready var _line: DraggableVector = %Line
@@ -20,6 +20,7 @@ extends Node2D
 @onready var _wrong_ball: BallView = %WrongBall
 @onready var _wrong_way: DimensionLine = %WrongWay
 @onready var _right_way: DimensionLine = %RightWay
+@onready var _verdict: VerdictCard = %Verdict
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
@@ -34,6 +35,7 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_to_segment(model, step)
 	_lay_mistake(model)
 	_names.show_change()
+	_show_verdict(model)
 
 
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
@@ -111,3 +113,17 @@ func _lay_mistake(model: LineDistanceModel) -> void:
 	else:
 		_wrong_way.offset = 14.0
 		_wrong_way.lay(model.foot(), place, _away_from_p(model))
+
+
+# The card gives way to the ball, and to where a mistake has it.
+func _show_verdict(model: LineDistanceModel) -> void:
+	_verdict.show_verdict(
+		NumberText.MINUS if model.is_behind() else "+",
+		Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT,
+		LineDistanceTexts.verdict(model)
+	)
+	var board := _endless.board
+	var balls: PackedVector2Array = [board.to_screen(model.ball.position)]
+	if _wrong_ball.visible:
+		balls.append(board.to_screen(model.position_with_mistake()))
+	_verdict.keep_off(balls, model.ball.radius * board.pixels_per_unit)

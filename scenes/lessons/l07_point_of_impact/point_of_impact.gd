@@ -30,12 +30,11 @@ var _readout: PointOfImpactReadout
 @onready var _new: BallView = %New
 @onready var _old_handle: BallHandle = %OldHandle
 @onready var _new_handle: BallHandle = %NewHandle
-@onready var _verdict: VerdictCard = %Verdict
 
 
 func start() -> void:
-	_model.move_line(_line.tail_point(), _line.head_point())
-	_model.set_radius(_old.radius)
+	_model.line = LineSegment.new(_line.tail_point(), _line.head_point())
+	_model.radius = _old.radius
 	_move_old(_old.at())
 	_move_new(_new.at())
 	on_drag(_line.moved, _line.released, _model.move_line)
@@ -43,20 +42,15 @@ func start() -> void:
 	on_drag(_new_handle.moved, _new_handle.released, _move_new)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _move_old(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _move_new(board.snapped_to_step(at)))
-	_fill_panel()
-	begin(_model, _show, _model.points_to_show)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = PointOfImpactFormula.new(formula)
+	_formula = PointOfImpactFormula.new(services[&"formula"] as Formula)
 	_readout = PointOfImpactReadout.new(services[&"readout"] as Readout)
 	(services[&"options"] as LessonOptions).offer_presets(_PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(PointOfImpactMistakes.infos())
 	var kinds := PointOfImpactExercise.Kind.size()
 	(services[&"question"] as Question).offer(PointOfImpactExercise.fresh, kinds)
-	on_edit(formula.number_entered, _model.enter)
+	on_edit((services[&"formula"] as Formula).number_entered, _model.enter)
 	on_pick(_take)
+	begin(_model, _show, _model.points_to_show)
 
 
 # What the student does.
@@ -92,18 +86,3 @@ func _show() -> void:
 	_drawing.show_model(_model, _steps.step)
 	_formula.show_model(_model, _steps.step)
 	_readout.show_model(_model)
-	_show_verdict()
-
-
-# The card gives way to both positions of the ball.
-func _show_verdict() -> void:
-	var hits := _model.impact().hit
-	_verdict.show_verdict(
-		"!" if hits else "×",
-		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,
-		PointOfImpactTexts.verdict(_model)
-	)
-	var places: PackedVector2Array = [
-		board.to_screen(_model.old_position), board.to_screen(_model.new_position)
-	]
-	_verdict.keep_off(places, _model.radius * board.pixels_per_unit)

@@ -1,7 +1,8 @@
 class_name PointOfImpactDrawing
 extends Node2D
 ## The drawing of the lesson on the point of impact: one frame's motion, the position reset, a and b
-## along the normal, the point of impact, and what the mistake that is switched on makes of it.
+## along the normal, the point of impact, what the mistake that is switched on makes of it, and the
+## verdict.
 
 # Where along the line its normal is drawn.
 const _SHARE_OF_NORMAL := 0.12
@@ -33,6 +34,7 @@ const _OLD_IS_IMPACT := "old = POI"
 @onready var _reset_name: BallName = %ResetName
 @onready var _impact_name: BallName = %ImpactName
 @onready var _wrong_name: BallName = %WrongName
+@onready var _verdict: VerdictCard = %Verdict
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
@@ -43,6 +45,7 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_ways(model, step)
 	_lay_impact(model, step)
 	_lay_mistake(model)
+	_show_verdict(model)
 
 
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
@@ -145,6 +148,21 @@ func _lay_mistake(model: PointOfImpactModel) -> void:
 	if _wrong.visible:
 		_wrong.lay(place, model.radius)
 		_wrong_name.lay(place, model.radius, _sideways(model))
+
+
+# The card gives way to both positions of the ball.
+func _show_verdict(model: PointOfImpactModel) -> void:
+	var hits := model.impact().hit
+	_verdict.show_verdict(
+		"!" if hits else "×",
+		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,
+		PointOfImpactTexts.verdict(model)
+	)
+	var board := _endless.board
+	var places: PackedVector2Array = [
+		board.to_screen(model.old_position), board.to_screen(model.new_position)
+	]
+	_verdict.keep_off(places, model.radius * board.pixels_per_unit)
 
 
 # The direction along the line in which the ball moves.

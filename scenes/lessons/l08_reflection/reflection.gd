@@ -24,13 +24,11 @@ var _formula: ReflectionFormula
 @onready var _velocity_head: Handle = %VelocityHead
 @onready var _line_end: Handle = %LineEnd
 @onready var _leaving_head: Handle = %LeavingHead
-@onready var _verdict: VerdictCard = %Verdict
-@onready var _table: GodotTable = %Table
 
 
 func start() -> void:
 	_aim(_velocity_head.at())
-	_turn_line(_line_end.at())
+	_model.along = _line_end.at()
 	_model.aim_bounciness(_leaving_head.at())
 	_model.normal_length = normal_length
 	_on_drag(_velocity_head, _aim)
@@ -48,15 +46,14 @@ func _on_drag(handle: Handle, change: Callable) -> void:
 
 
 func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = ReflectionFormula.new(formula)
+	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_unit_normal", tr("Normal of length 1"))
 	options.offer_presets(_PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
 	var kinds := ReflectionExercise.Kind.size()
 	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
-	on_edit(formula.number_entered, _enter)
+	on_edit((services[&"formula"] as Formula).number_entered, _enter)
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
@@ -133,21 +130,11 @@ func _show() -> void:
 	_steps.tell(ReflectionTexts.sentences(_model))
 	_drawing.show_model(_model, _step())
 	_formula.show_model(_model, _step())
-	_table.show_model(_model)
-	_show_verdict()
 	_show_call()
 
 
 func _step() -> ReflectionModel.Step:
 	return _steps.step as ReflectionModel.Step
-
-
-# Where the normal is refused, the notice line says so in the same place.
-func _show_verdict() -> void:
-	_verdict.visible = _model.refusal() == ""
-	var sign_text := ReflectionTexts.verdict_sign(_model, _step())
-	var role := Palette.Role.RIGHT if sign_text == "=" else Palette.Role.QUIET
-	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(_model, _step()))
 
 
 func _show_call() -> void:

@@ -43,14 +43,13 @@ func start() -> void:
 
 
 func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = MoreDimensionsFormula.new(formula)
+	_formula = MoreDimensionsFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_four", tr("Four components"))
 	options.offer_presets(_PRESETS)
 	var kinds := ComponentExercise.Kind.size()
 	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
-	on_edit(formula.number_entered, _model.enter)
+	on_edit((services[&"formula"] as Formula).number_entered, _model.enter)
 	on_pick(_model.take)
 
 
