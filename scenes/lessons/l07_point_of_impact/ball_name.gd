@@ -24,7 +24,7 @@ const _FONT_SIZE := 20
 	get:
 		return _direction.to_vector2()
 	set(value):
-		_direction = Vec2.from_vector2(value).normalized()
+		_direction = Vec2.from_vector2(value)
 		show_change()
 ## The radius of the ball, in units of the plane; 0 for a place.
 @export_range(0.0, 1000.0, 0.001, "or_greater") var radius := 0.0:
@@ -53,7 +53,7 @@ func _draw() -> void:
 
 # So far beyond the rim that the text does not touch it.
 func _middle_of_text() -> Vector2:
-	var away := _direction.to_vector2()
+	var away := _direction.normalized().to_vector2()
 	var font := ThemeDB.fallback_font
 	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
 	var half := absf(away.x) * extent.x / 2.0 + absf(away.y) * _FONT_SIZE / 2.0
