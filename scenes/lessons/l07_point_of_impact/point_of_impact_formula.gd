@@ -83,8 +83,10 @@ func _put_distances(model: PointOfImpactModel) -> void:
 	_formula.put_number("r_value", model.radius, Palette.Role.INK)
 	_formula.put_number("a", model.way_to_contact(), Palette.Role.A)
 	_formula.put_number("b", model.way_of_frame(), Palette.Role.B)
-	_formula.put_text("t", NumberText.short(model.share()), Palette.Role.INK)
-	_formula.put_text("wrong_t", NumberText.short(model.share_with_mistake()), Palette.Role.WRONG)
+	_formula.put_text("t", NumberText.short(model.fraction()), Palette.Role.INK)
+	_formula.put_text(
+		"wrong_t", NumberText.short(model.fraction_with_mistake()), Palette.Role.WRONG
+	)
 
 
 func _put_places(model: PointOfImpactModel) -> void:

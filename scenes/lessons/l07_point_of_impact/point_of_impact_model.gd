@@ -6,8 +6,8 @@ extends LessonModel
 ## What the two distances say of the frame.
 enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALLEL }
 
-# A wrong share of the frame larger than this does not make the board smaller.
-const _LARGEST_SHOWN_SHARE := 20.0
+# A wrong fraction of the frame larger than this does not make the board smaller.
+const _LARGEST_SHOWN_FRACTION := 20.0
 
 ## The line; its ends only say where it is drawn.
 var line := LineSegment.new(Vec2.new(60.0, 45.0), Vec2.new(-60.0, -45.0))
@@ -46,8 +46,8 @@ func way_of_frame() -> float:
 
 
 ## t = a / b, not limited; infinite or NaN for b = 0.
-func share() -> float:
-	return PointOfImpact.share(old_distance(), new_distance(), radius)
+func fraction() -> float:
+	return PointOfImpact.fraction(old_distance(), new_distance(), radius)
 
 
 ## The impact in this frame, or why there is none.
@@ -86,19 +86,19 @@ func error_of(position: Vec2) -> float:
 
 
 ## t as the mistake that is switched on has it; the right one where none is.
-func share_with_mistake() -> float:
-	return PointOfImpactMistakes.share(mistake, old_distance(), new_distance(), radius)
+func fraction_with_mistake() -> float:
+	return PointOfImpactMistakes.fraction(mistake, old_distance(), new_distance(), radius)
 
 
 ## Where the mistake that is switched on puts the ball; not finite where it divides by 0.
 func position_with_mistake() -> Vec2:
-	return old_position.plus(motion().scaled(share_with_mistake()))
+	return old_position.plus(motion().scaled(fraction_with_mistake()))
 
 
 ## Whether the mistake that is switched on makes a difference: another t, or one that is taken where
 ## there is no impact.
 func shows_mistake() -> bool:
-	return share_with_mistake() != share() or frame_case() != Case.IN_FRAME
+	return fraction_with_mistake() != fraction() or frame_case() != Case.IN_FRAME
 
 
 ## The points that the board has to show: the ends of the line, both balls as far as half their
@@ -109,7 +109,7 @@ func points_to_show() -> Array[Vec2]:
 	for centre: Vec2 in [old_position, new_position]:
 		points.append(centre.plus(half))
 		points.append(centre.minus(half))
-	if mistake != 0 and absf(share_with_mistake()) < _LARGEST_SHOWN_SHARE:
+	if mistake != 0 and absf(fraction_with_mistake()) < _LARGEST_SHOWN_FRACTION:
 		points.append(position_with_mistake())
 	return points
 

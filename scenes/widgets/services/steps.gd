@@ -1,6 +1,6 @@
 class_name Steps
 extends HBoxContainer
-## Builds a drawing up from nothing: one sentence a step, forward and back.
+## Builds up a drawing from nothing: one sentence for each step, forward and back.
 
 ## The student went to another step: the board and the formula have more or less to show.
 signal view_changed
