@@ -38,8 +38,8 @@ func open_at(first: int) -> void:
 	_is_open = true
 
 
-## Tells one translated sentence a step; the step that is shown stays. Call it before the first use
-## of [member step]: it says which step is the last.
+## Shows these translated sentences, one for each step; the step that is shown stays. Call it before
+## the first use of [member step]: it says which step is the last.
 func tell(sentences: PackedStringArray) -> void:
 	show_sentences(sentences, _step if _is_open else sentences.size() - 1)
 
