@@ -22,6 +22,8 @@ var neighbors: PackedInt32Array = []
 var cell: PackedInt32Array = []
 ## Which border each ball crosses next: -1 or 1 for a column, -2 or 2 for a row.
 var border: PackedInt32Array = []
+## The nine cells around a ball, as places in [member neighbors].
+var all_neighbors: PackedInt32Array = [0, 1, 2, 3, 4, 5, 6, 7, 8]
 ## Of the nine cells around a ball, the three that were not around it before it crossed a border, as
 ## places in [member neighbors]: for each of the borders from -2 to 2.
 var new_neighbors: Array[PackedInt32Array] = [
@@ -37,6 +39,25 @@ var _previous: PackedInt32Array = []
 # Column and row of each ball in the plane, of any size and sign.
 var _column: PackedInt64Array = []
 var _row: PackedInt64Array = []
+
+
+## The edge of cells for these balls, in pixels: about one ball a cell, and no cell smaller than the
+## largest ball. Of each ball x and y of its centre, its radius, and 1 where there is one.
+static func size_for(
+	places: PackedFloat64Array, radii: PackedFloat64Array, is_there: PackedByteArray
+) -> float:
+	var low := Vec2.new(INF, INF)
+	var high := Vec2.new(-INF, -INF)
+	var largest := 0.0
+	for ball in is_there.size():
+		if is_there[ball] == 1:
+			var x := places[2 * ball]
+			var y := places[2 * ball + 1]
+			low.set_xy(minf(low.x, x), minf(low.y, y))
+			high.set_xy(maxf(high.x, x), maxf(high.y, y))
+			largest = maxf(largest, radii[ball])
+	var area := (high.x - low.x) * (high.y - low.y)
+	return maxf(2.0 * largest, sqrt(area / is_there.count(1)))
 
 
 ## Makes an empty table for so many balls, with cells of [param new_size] pixels.
