@@ -211,18 +211,18 @@ func next_event_time() -> float:
 ## Lets time pass until the next impact, rest or sliding off has happened. Where there is none, or
 ## more than [member most_impacts_per_second], it says so.
 func advance_to_next_event() -> String:
-	var before := events.size()
+	var before := _log.events.size()
 	var kept := keeps_events
 	keeps_events = true
 	var problem := ""
-	while events.size() == before and not problem:
+	while _log.events.size() == before and not problem:
 		if _queue.first_time == INF:
 			problem = "Nothing happens any more after %s s." % time
 		else:
 			problem = _advance_to(_queue.first_time, _queue.first_low)
 	keeps_events = kept
 	if not kept:
-		events.resize(before)
+		_log.events.resize(before)
 	return problem
 
 
@@ -235,6 +235,9 @@ func snapshot() -> WorldSnapshot:
 	kept.contents = _contents
 	kept.count_from = _count_from
 	kept.counted_impacts = _counted_impacts
+	kept.uses_cells = _uses_cells
+	kept.cell_size = _cells.size
+	kept.cell_columns = _cells.columns
 	kept.keep(_all_arrays())
 	kept.slides = _rolls.slides.duplicate()
 	return kept
@@ -250,6 +253,8 @@ func restore(kept: WorldSnapshot) -> String:
 	impacts = kept.impacts
 	_count_from = kept.count_from
 	_counted_impacts = kept.counted_impacts
+	_uses_cells = kept.uses_cells
+	_cells.take_layout(kept.cell_size, kept.cell_columns)
 	kept.put_into(_all_arrays())
 	_rolls.slides = kept.slides.duplicate()
 	_quiet_until = -INF

@@ -15,6 +15,12 @@ var contents := 0
 var count_from := 0.0
 ## How many impacts there were before.
 var counted_impacts := 0
+## Whether the balls were in cells.
+var uses_cells := false
+## The edge of a cell then, in pixels.
+var cell_size := 1.0
+## How many columns the table of cells had.
+var cell_columns := 0
 ## The ways of the balls over caps; they never change.
 var slides: Array[CapSlide] = []
 ## Copies of the world's arrays, in the world's own order.
