@@ -1,7 +1,7 @@
 class_name WorldLimits
 extends RefCounted
-## What a world takes, and the sentence with which it refuses everything else. Each method returns ""
-## or one sentence with the value and what is allowed.
+## What a world takes, and the sentence with which it refuses everything else. Each method returns
+## "" or one sentence with the value and what is allowed.
 ##
 ## The parameter `largest` is the world's own limit for coordinates, speeds, sizes, masses and
 ## gravity, a power of ten.

@@ -246,7 +246,8 @@ func _follow_cap(index: int) -> void:
 	_leave_cap(index, _support[index], _rolled_end[index] as Impact.Feature)
 
 
-# At the end of the way over a cap the ball slides on along the line, or back over the cap, or flies.
+# At the end of the way over a cap the ball slides on along the line, or back over the cap, or
+# flies.
 func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
 	_set_free(index)
 	if _is_over_line(index, place):

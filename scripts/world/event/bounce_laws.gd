@@ -10,9 +10,10 @@ extends BallSupport
 ## Where nothing presses a ball on a surface it leaves with at least this share of its speed along
 ## the normal: then rounding cannot let it meet the same surface again at once.
 const LEAST_SHARE := 1.0 / 2.0 ** 50
-## A ball loses no speed in an impact if it has met another ball within this time before, in seconds.
-## Otherwise impacts among three balls that lose speed, or two and a wall, could follow each other
-## without end (the TC model of Luding and McNamara, How to Handle the Inelastic Collapse, 1998).
+## A ball loses no speed in an impact if it has met another ball within this time before, in
+## seconds. Otherwise impacts among three balls that lose speed, or two and a wall, could follow
+## each other without end (the TC model of Luding and McNamara, How to Handle the Inelastic
+## Collapse, 1998).
 const PILE_UP := 1e-6
 ## A ball does not come to rest on another one: their bounces end in hops of this time, in seconds,
 ## in which no more speed is lost. At 500 px/s² such a hop is 0.006 px high.

@@ -6,9 +6,9 @@ extends EventState
 ##
 ## Each ball has one event at a time (Lubachevsky, How to Simulate Billiards and Similar Systems,
 ## 1991). Two balls that are to meet share one. When a ball finds an earlier partner, it may take it
-## away from a third ball; that one is told to look again at the time of the impact that it has lost.
-## A ball that will do something else before a possible impact is no partner: it looks again when it
-## has done so, and finds the impact then.
+## away from a third ball; that one is told to look again at the time of the impact that it has
+## lost. A ball that will do something else before a possible impact is no partner: it looks again
+## when it has done so, and finds the impact then.
 
 # Shorter by some last places.
 const _JUST_CLEAR := 1.0 - 1.0 / 2.0 ** 46
@@ -64,8 +64,8 @@ func _forecast_event(index: int) -> void:
 	_choose_event(index)
 
 
-# Chooses the next event of the asker. Where that is an impact with another ball, whoever was to meet
-# that ball loses it.
+# Chooses the next event of the asker. Where that is an impact with another ball, whoever was to
+# meet that ball loses it.
 func _choose_event(index: int) -> void:
 	if _event_kind[index] == MEET:
 		_release_partner(index)
@@ -288,8 +288,8 @@ func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
 	_touched[index] = surface
 
 
-# The next touch under a constant pull. When the ball comes back to the surface that it has just left
-# follows from its normal speed alone; the other surfaces are searched.
+# The next touch under a constant pull. When the ball comes back to the surface that it has just
+# left follows from its normal speed alone; the other surfaces are searched.
 func _forecast_accelerated_touch(index: int) -> void:
 	_seconds = INF
 	_surface = NOTHING

@@ -14,9 +14,6 @@ extends RefCounted
 ## After 100 s and thousands of impacts a single double would be off by some 1e-12 s, which is
 ## 1e-8 px for a ball of 30 000 px/s. A field `..._low` holds the second one.
 
-## What is touched where nothing is touched: no surface, no ball.
-const NOTHING := -1
-
 ## The surfaces that are no segments; a segment is known by its place, 0 or more.
 enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 
@@ -24,7 +21,10 @@ enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
 ## again, it slides to the end of the segment under it, or a piece of its way over a cap is over.
 enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
 
-#region The time and the counts. EventWorld writes them; BounceLaws counts the impacts.
+## What is touched where nothing is touched: no surface, no ball.
+const NOTHING := -1
+
+#region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
 
 ## Seconds since the start. Read it; [method EventWorld.advance] changes it.
 var time := 0.0
@@ -33,6 +33,25 @@ var impacts := 0
 ## More impacts than this within one second of the world are refused by [method EventWorld.advance]:
 ## between two walls that touch a ball on both sides they would never end. At least 1.
 var most_impacts_per_second := 1_000_000
+## Whether a flight is compared only with the segments near it (true), or with all; the answers are
+## the same. To be set before the first segment.
+var uses_grid := true:
+	set = _set_uses_grid
+## Whether everything that happens is kept in [member events].
+var keeps_events := false
+## What has happened since [member keeps_events] was set, in order; may be cleared at any time.
+var events: Array[WorldEvent]:
+	get:
+		return _log.events
+	set(value):
+		_log.events = value
+
+#endregion
+
+# The classes that extend this one use these fields.
+@warning_ignore_start("unused_private_class_variable")
+
+#region The time and the counts. EventWorld writes them.
 
 # The second part of [member time].
 var _time_low := 0.0
@@ -47,11 +66,6 @@ var _contents := 0
 #endregion
 
 #region What the balls fly among. EventWorld writes it.
-
-## Whether a flight is compared only with the segments near it (true), or with all; the answers are
-## the same. To be set before the first segment.
-var uses_grid := true:
-	set = _set_uses_grid
 
 var _segments: SegmentScan = SegmentGrid.new()
 # The walls, in pixels; they mean nothing without [member _has_walls].
@@ -106,8 +120,8 @@ var _support: PackedInt32Array = []
 var _rolled_end: PackedInt32Array = []
 # The seconds that the present piece of the way over the cap takes.
 var _piece: PackedFloat64Array = []
-# The surface that a ball has just left, or NOTHING: it is not searched again, as rounding might find
-# it at once.
+# The surface that a ball has just left, or NOTHING: it is not searched again, as rounding might
+# find it at once.
 var _left_surface: PackedInt32Array = []
 # Under gravity: the ball's speed along the normal as it left, in px/s, which tells when it comes
 # back; INF where it never comes back.
@@ -149,15 +163,6 @@ var _uses_cells := false
 
 #region What has happened. EventWorld and BounceLaws write it through the log.
 
-## Whether everything that happens is kept in [member events].
-var keeps_events := false
-## What has happened since [member keeps_events] was set, in order; may be cleared at any time.
-var events: Array[WorldEvent]:
-	get:
-		return _log.events
-	set(value):
-		_log.events = value
-
 var _log := EventLog.new()
 
 #endregion
@@ -185,6 +190,8 @@ var _partner := NOTHING
 var _partner_seconds := INF
 
 #endregion
+
+@warning_ignore_restore("unused_private_class_variable")
 
 
 ## How many places for balls there are, with those of removed ones.
@@ -256,6 +263,22 @@ func position_at(index: int, seconds: float) -> Vec2:
 		_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * flown) * flown,
 		_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * flown) * flown
 	)
+
+
+## The energy of all balls, m (v² / 2 - g · x), in px²/s² times mass.
+func energy() -> float:
+	var sum := 0.0
+	for index in ball_count():
+		if _is_there[index] == 1:
+			var speed_squared := velocity(index).length_squared()
+			var height := _gravity_x * position_x(index) + _gravity_y * position_y(index)
+			sum += _mass[index] * (0.5 * speed_squared - height)
+	return sum
+
+
+## Whether a ball lies or slides on a segment or a wall.
+func is_resting(index: int) -> bool:
+	return _support[index] != NOTHING and time >= _start[index]
 
 
 # Begins a new flight of a ball where it is now.

@@ -183,7 +183,7 @@ func advance(seconds: float) -> String:
 	# Kahan's sum: what the time loses by rounding is made up for by the next step.
 	var step := seconds + _time_low
 	var target := time + step
-	# Nothing happens until then: that is most frames, so nothing else is asked first.
+	# Nothing happens until then: most frames end here, so this is tested first.
 	if target < _quiet_until:
 		if seconds >= 0.0:
 			_time_low = step - (target - time)
@@ -261,22 +261,6 @@ func restore(kept: WorldSnapshot) -> String:
 	_queue.resize(ball_count())
 	_balls_there = _is_there.count(1)
 	return ""
-
-
-## The energy of all balls, m (v^2 / 2 - g . x), in px^2/s^2 times mass.
-func energy() -> float:
-	var sum := 0.0
-	for index in ball_count():
-		if _is_there[index] == 1:
-			var speed_squared := velocity(index).length_squared()
-			var height := _gravity_x * position_x(index) + _gravity_y * position_y(index)
-			sum += _mass[index] * (0.5 * speed_squared - height)
-	return sum
-
-
-## Whether a ball lies or slides on a segment or a wall.
-func is_resting(index: int) -> bool:
-	return _support[index] != NOTHING and time >= _start[index]
 
 
 func _count_again() -> void:

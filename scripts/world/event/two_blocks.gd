@@ -90,8 +90,8 @@ func energy_drift() -> float:
 
 ## Lets at most [param most] impacts happen; false when all is over.
 ##
-## The same as so many calls of [method advance_to_next_impact], to the last bit (a test compares),
-## written out in plain local numbers: 31 million impacts are wanted in seconds.
+## It gives the same bits as that number of calls of [method advance_to_next_impact]; a test
+## compares. It is written out in local variables, because 31 million impacts are to take seconds.
 func run(most: int) -> bool:
 	var light := light_x
 	var heavy := heavy_x
