@@ -3,7 +3,7 @@ extends PanelContainer
 ## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
 ## undo.
 
-## The student wants to leave. The way back is offered where something listens.
+## The student wants to leave. A way back is offered only where something listens.
 signal left
 ## A link to another lesson is to be opened.
 signal other_lesson_wanted(lesson: LessonInfo)
@@ -16,7 +16,8 @@ const _ACTIONS: Array[StringName] = [
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open; set before the frame enters the tree.
+## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
+## one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -25,9 +26,8 @@ var lesson: Lesson
 ## The link to its board.
 var link: BoardLink
 
-var _first_state: Dictionary
-var _last_state: Dictionary
-var _history := UndoRedo.new()
+# Null where the lesson could not be opened, as is the link.
+var _history: LessonHistory
 var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 @onready var _body: BoxContainer = %Body
@@ -41,16 +41,17 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 
 func _ready() -> void:
+	if not lesson_info:
+		lesson_info = LessonIndex.lessons()[0]
 	WindowFit.follow(get_window())
-	_fill_window(true)
+	SoftwareDrawing.fill_window(get_window(), true)
 	Signs.add_to_font()
-	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
+	(%Title as Label).text = _title()
 	_offer_way_back()
-	(%Reset as Button).pressed.connect(_reset)
-	(%CopyLink as Button).pressed.connect(_copy_link)
-	_undo.pressed.connect(_history.undo)
-	_redo.pressed.connect(_history.redo)
-	_history.version_changed.connect(_refresh_buttons)
+	(%Reset as Button).pressed.connect(_act.bind(&"lab_reset"))
+	(%CopyLink as Button).pressed.connect(_act.bind(&"lab_copy_link"))
+	_undo.pressed.connect(_act.bind(&"lab_undo"))
+	_redo.pressed.connect(_act.bind(&"lab_redo"))
 	resized.connect(_turn)
 	_turn()
 	_open()
@@ -63,29 +64,23 @@ func _ready() -> void:
 func follow_link(text: String) -> void:
 	LessonRequest.ask(text)
 	_open_requested()
-	_store()
+	_history.store()
 
 
 func _exit_tree() -> void:
-	_fill_window(false)
-	_history.free()
+	SoftwareDrawing.fill_window(get_window(), false)
 
 
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
 		left.emit()
-	elif event.is_action_pressed(&"lab_redo", false, true):
-		_history.redo()
-	elif event.is_action_pressed(&"lab_undo", false, true):
-		_history.undo()
-	elif event.is_action_pressed(&"lab_reset", false, true):
-		_reset()
-	elif event.is_action_pressed(&"lab_copy_link", false, true):
-		_copy_link()
+	for action: StringName in [&"lab_undo", &"lab_redo", &"lab_reset", &"lab_copy_link"]:
+		if event.is_action_pressed(action, false, true):
+			_act(action)
 
 
 func _input(event: InputEvent) -> void:
-	# A notice stands until the student does the next thing, which may bring another.
+	# A notice is shown until the next input, which may bring another.
 	if event.is_pressed():
 		_show_notice("")
 	if event is InputEventKey:
@@ -94,37 +89,61 @@ func _input(event: InputEvent) -> void:
 		_show_help(true)
 
 
-# The frame fills the window with every frame, so nothing has to be cleared before, and the window
-# may count as transparent: the engine then keeps 8 bits a colour instead of 10, which are mixed in
-# two thirds of the time without a graphics card.
-func _fill_window(fills: bool) -> void:
-	var server := RenderingServer
-	var mode := server.VIEWPORT_CLEAR_NEVER if fills else server.VIEWPORT_CLEAR_ALWAYS
-	server.viewport_set_clear_mode(get_window().get_viewport_rid(), mode)
-	get_window().transparent_bg = fills
-
-
 func _open() -> void:
+	var errors := ErrorCatcher.new()
+	OS.add_logger(errors)
+	_start_lesson()
+	OS.remove_logger(errors)
+	if errors.first:
+		_say_why_not_opened(errors.first)
+		return
+	_history = LessonHistory.new(lesson)
+	add_child(_history)
+	_history.changed.connect(_refresh_buttons)
+	lesson.edited.connect(_history.store)
+	link = BoardLink.new(lesson_info.id, lesson)
+	_open_requested()
+	_history.begin_here()
+	WebPage.follow_fragment(follow_link)
+
+
+func _start_lesson() -> void:
 	lesson = (load(lesson_info.scene_path()) as PackedScene).instantiate() as Lesson
 	for need in lesson_info.needs:
 		lesson.services[StringName(need)] = _add_service(need)
 	_announce(lesson)
 	lesson.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_board_place.add_child(lesson)
-	lesson.edited.connect(_store)
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
-	_first_state = lesson.state()
-	link = BoardLink.new(lesson_info.id, lesson)
-	_open_requested()
-	_last_state = lesson.state()
-	WebPage.follow_fragment(follow_link)
+
+
+# In place of the lesson, which may be half built.
+func _say_why_not_opened(why: String) -> void:
+	if lesson:
+		lesson.queue_free()
+	lesson = null
+	var words := Label.new()
+	words.text = tr("The lesson “%s” could not be opened: %s") % [lesson_info.id, why]
+	words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	words.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
+	words.set_anchors_and_offsets_preset(PRESET_FULL_RECT, PRESET_MODE_MINSIZE, 24)
+	var paper := ColorRect.new()
+	paper.color = Palette.PAPER
+	paper.set_anchors_preset(PRESET_FULL_RECT)
+	_board_place.add_child(paper)
+	_board_place.add_child(words)
+	(%NoticePlace as Control).move_to_front()
 
 
 func _add_service(need: String) -> Control:
 	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
 	_announce(service)
 	_services.add_child(service)
+	if service.has_signal(&"refused"):
+		service.connect(&"refused", _show_notice)
+	if service.has_signal(&"role_pointed"):
+		service.connect(&"role_pointed", lesson.light)
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
 	return service
@@ -143,29 +162,24 @@ func _keep_in_view(service: FoldableContainer) -> void:
 		_panel.ensure_control_visible.call_deferred(service)
 
 
-func _store() -> void:
-	var now := lesson.state()
-	if now == _last_state:
+func _act(action: StringName) -> void:
+	if not _history:
 		return
-	_history.create_action("edit")
-	_history.add_do_method(_show_state.bind(now))
-	_history.add_undo_method(_show_state.bind(_last_state))
-	_history.commit_action(false)
-	_last_state = now
+	match action:
+		&"lab_undo":
+			_history.undo()
+		&"lab_redo":
+			_history.redo()
+		&"lab_reset":
+			_history.reset()
+		&"lab_copy_link":
+			_show_notice(link.copy())
 
 
-func _show_state(stored: Dictionary) -> void:
-	_last_state = stored
-	lesson.show_state(stored)
-
-
-func _reset() -> void:
-	lesson.show_state(lesson.reset_state(_first_state))
-	_store()
-
-
-func _copy_link() -> void:
-	_show_notice(link.copy())
+# A lesson that is not in the index has no number.
+func _title() -> String:
+	var number := LessonIndex.number_of(lesson_info)
+	return "%d  %s" % [number, tr(lesson_info.title)] if number > 0 else tr(lesson_info.title)
 
 
 # Opens what was asked for: a state of this lesson's board, or another lesson.
@@ -177,10 +191,10 @@ func _open_requested() -> void:
 	elif other:
 		other_lesson_wanted.emit(other)
 	else:
-		_show_notice(LessonRequest.refusal(id))
+		_show_notice(LessonIndex.refusal(id))
 
 
-# A link that names the lesson alone asks for its start; where nothing was asked it is there.
+# A link that names only the lesson asks for its start. Without a link the lesson is at its start.
 func _open_state(text_of_state: String, is_named: bool) -> void:
 	if not text_of_state and not is_named:
 		return
@@ -207,8 +221,8 @@ func _show_help(for_joypad: bool) -> void:
 
 
 func _refresh_buttons() -> void:
-	_undo.disabled = not _history.has_undo()
-	_redo.disabled = not _history.has_redo()
+	_undo.disabled = not _history or not _history.has_undo()
+	_redo.disabled = not _history or not _history.has_redo()
 
 
 # Board above the panel in a tall window, beside it in a wide one.

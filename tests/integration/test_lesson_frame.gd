@@ -4,6 +4,7 @@ extends ScreenTest
 
 const _CLOCK := preload("res://tests/support/lessons/clock.tres")
 const _STILL := preload("res://tests/support/lessons/still.tres")
+const _BROKEN := preload("res://tests/support/lessons/broken.tres")
 const _ROUND_TRIPS := 10
 
 
@@ -27,6 +28,16 @@ func test_the_title_shows_number_and_name() -> void:
 	assert_reads("1  " + LessonIndex.lessons()[0].title)
 
 
+func test_a_lesson_that_cannot_start_says_so_in_the_window() -> void:
+	await open_lesson(_BROKEN)
+	assert_engine_error("Modulo by zero")
+	assert_reads("The lesson “broken” could not be opened: ")
+	assert_reads("broken.gd:7")
+	for action: StringName in [&"lab_reset", &"lab_copy_link", &"lab_undo"]:
+		await student.press(action)
+	assert_reads("The lesson “broken” could not be opened: ")
+
+
 func test_the_back_button_leads_to_the_start_screen() -> void:
 	await open_start_screen()
 	await student.press_key(KEY_ENTER)
@@ -35,13 +46,15 @@ func test_the_back_button_leads_to_the_start_screen() -> void:
 	assert_eq(screen().scene_file_path, START_SCREEN)
 
 
-func test_the_window_draws_with_eight_bits_a_color_while_a_frame_fills_it() -> void:
+func test_without_a_graphics_card_the_window_draws_with_eight_bits_a_color() -> void:
 	var window := get_window()
-	assert_false(window.transparent_bg)
-	await open_lesson(_STILL)
-	assert_true(window.transparent_bg)
-	screen().free()
-	assert_false(window.transparent_bg)
+	for is_on: bool in [true, false]:
+		SoftwareDrawing.is_on = is_on
+		assert_false(window.transparent_bg)
+		await open_lesson(_STILL)
+		assert_eq(window.transparent_bg, is_on)
+		screen().free()
+		assert_false(window.transparent_bg)
 
 
 func test_where_nothing_listens_no_way_back_is_offered() -> void:

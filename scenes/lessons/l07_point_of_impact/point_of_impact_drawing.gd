@@ -37,12 +37,6 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_mistake(model)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_normal.lit = role == Palette.Role.UNIT
-	_reset_way.lit = role == Palette.Role.REST
-
-
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
 	_endless.lay(model.line.start, model.line.along())
 	_line.lay(model.line.start, model.line.end)
@@ -91,7 +85,7 @@ func _name_of_old(model: PointOfImpactModel) -> String:
 func _name_motion(model: PointOfImpactModel) -> void:
 	var share := 0.5
 	if model.impact().hit:
-		share = 0.25 if model.share() > 0.5 else 0.75
+		share = 0.25 if model.fraction() > 0.5 else 0.75
 	var beside := model.motion().normal()
 	if beside.dot(_sideways(model)) > 0.0:
 		beside = beside.negated()

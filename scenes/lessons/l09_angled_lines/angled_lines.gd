@@ -30,7 +30,7 @@ var _problem := ""
 func start() -> void:
 	for part: CanvasItem in [_lines, _gravity]:
 		(%Grid as Grid).take(part)
-	snap_step = _SNAP_STEP
+	board.snap_step = _SNAP_STEP
 	var formula := services[&"formula"] as Formula
 	_formula = AngledLinesFormula.new(formula)
 	_panel = AngledLinesPanel.new(services)
@@ -39,6 +39,7 @@ func start() -> void:
 	_player.stepped.connect(func(is_on: bool) -> void: _drawing.follow_step(_model, is_on))
 	_player.advanced.connect(_show_moment)
 	_player.turned.connect(_show_moment)
+	_player.refused.connect(noticed.emit)
 	_connect_board()
 	_connect_panel(formula)
 	_panel.ask()
@@ -79,8 +80,8 @@ func show_link(linked: Dictionary) -> void:
 
 func _connect_board() -> void:
 	_connect_keys(%Keys as AngledLinesKeys)
-	pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
-	released.connect(_pointer.release)
+	board.pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
+	board.released.connect(_pointer.release)
 	_pointer.ball_taken.connect(_select)
 	_pointer.ball_moved.connect(func(at: Vec2) -> void: _change_ball(at, _model.ball().velocity))
 	_pointer.ball_released.connect(_finish)
@@ -105,13 +106,11 @@ func _connect_keys(keys: AngledLinesKeys) -> void:
 
 func _connect_panel(formula: Formula) -> void:
 	formula.number_entered.connect(_enter_number)
-	formula.role_pointed.connect(_drawing.light)
-	formula.refused.connect(noticed.emit)
 	var options := services[&"options"] as LessonOptions
 	options.switched.connect(_switch)
 	options.chosen.connect(_choose_method)
 	options.preset_picked.connect(_pick)
-	(services[&"question"] as Question).board_wanted.connect(_show_question)
+	(services[&"question"] as Question).board_wanted.connect(_show_question.unbind(1))
 	(services[&"mistakes"] as Mistakes).mistake_picked.connect(_switch_mistake)
 
 
@@ -132,7 +131,7 @@ func _act(action: StringName) -> void:
 
 
 func _point_gravity(direction: Vec2) -> void:
-	_model.point_gravity(direction)
+	_problem = _model.point_gravity(direction)
 	_finish()
 
 
@@ -172,7 +171,7 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 
 func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppedWorld.Method)
+	_model.set_method(place as SteppingMethods.Method)
 	_finish()
 
 
@@ -227,7 +226,7 @@ func _process(_delta: float) -> void:
 
 func _show_all() -> void:
 	var half_view := _HALF_VIEW_WITH_TIMELINE if _model.timeline else _HALF_VIEW
-	fit([Vec2.new(half_view.x, half_view.y)])
+	board.fit([Vec2.new(half_view.x, half_view.y)])
 	_engine.begin_anew(_model)
 	_drawing.show_all(_model)
 	_drawing.show_surroundings(_model)

@@ -47,7 +47,9 @@ func show_all(model: AngledLinesModel) -> void:
 ## Trails begin anew where the balls are.
 func clear_trails(model: AngledLinesModel) -> void:
 	_trails.begin(model.world)
-	_wrong_trails.begin(model.wrong_world if model.wrong_world else SteppedWorld.new())
+	_wrong_trails.begin(
+		model.wrong_world if model.wrong_world else SteppedWorld.new(WholeFrameMover.new())
+	)
 
 
 ## Shows the lines of [param model] and its gravity.
@@ -106,9 +108,3 @@ func hide_forecast() -> void:
 ## The velocity that belongs to an arrow from [param tail] to [param head].
 func velocity_of(tail: Vec2, head: Vec2) -> Vec2:
 	return head.minus(tail).divided(_arrow_seconds)
-
-
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_velocity.light(role == Palette.Role.A)
-	_normal.lit = role == Palette.Role.UNIT

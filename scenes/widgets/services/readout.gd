@@ -2,7 +2,7 @@ class_name Readout
 extends GridContainer
 ## A table of results: what, value, error against the exact answer, run time of the call.
 
-# Which row, counted from 0 at the headings, a key has.
+# The row of each key; row 0 has the headings.
 var _rows: Dictionary[String, int] = {}
 
 
@@ -10,7 +10,7 @@ func _ready() -> void:
 	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
 
 
-## Names the columns otherwise, for a lesson that compares something of its own; translated.
+## Replaces the headings by translated texts, for a lesson that compares something else.
 func show_headings(texts: PackedStringArray) -> void:
 	for column in columns:
 		(get_child(column) as Label).text = texts[column]
@@ -21,8 +21,15 @@ func show_headings(texts: PackedStringArray) -> void:
 func show_result(
 	key: String, title: String, value: float, error: float, nanoseconds: float
 ) -> void:
-	var time := tr("%s ns") % NumberText.short(nanoseconds, 2)
-	show_texts(key, [title, NumberText.short(value), NumberText.size(error), time])
+	show_texts(key, [title, NumberText.short(value), NumberText.size(error), _time(nanoseconds)])
+
+
+## The same for a vector, shown with [param digits] digits.
+func show_vector(
+	key: String, title: String, vector: Vec2, error: float, nanoseconds: float, digits: int = 4
+) -> void:
+	var value := NumberText.pair(vector.x, vector.y, digits)
+	show_texts(key, [title, value, NumberText.size(error), _time(nanoseconds)])
 
 
 ## Shows a row of up to four texts, translated; a new [param key] adds a row below.
@@ -33,6 +40,10 @@ func show_texts(key: String, texts: PackedStringArray) -> void:
 		_add_row(texts)
 	for column in columns:
 		(get_child(_rows[key] * columns + column) as Label).text = texts[column]
+
+
+func _time(nanoseconds: float) -> String:
+	return tr("%s ns") % NumberText.short(nanoseconds, 2)
 
 
 func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:

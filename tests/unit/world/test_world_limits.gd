@@ -19,7 +19,7 @@ func test_what_is_within_the_limits_is_taken() -> void:
 func test_the_sentence_names_the_value_and_the_limit_of_the_world() -> void:
 	var too_far := Vec2.new(2e15, 0)
 	for largest: float in [1e6, 1e15]:
-		var name := "1e6" if largest == 1e6 else "1e15"
+		var limit := "1e6" if largest == 1e6 else "1e15"
 		for problem: String in [
 			WorldLimits.problem_of_gravity(too_far, largest),
 			WorldLimits.problem_of_segment(LineSegment.new(Vec2.zero(), too_far), largest),
@@ -27,10 +27,10 @@ func test_the_sentence_names_the_value_and_the_limit_of_the_world() -> void:
 			WorldLimits.problem_of_ball(Ball.new(Vec2.zero(), 1, too_far), largest),
 			WorldLimits.problem_of_walls(Vec2.zero(), Vec2.new(2e15, 1), largest),
 		]:
-			assert_string_contains(problem, "-%s..%s" % [name, name])
+			assert_string_contains(problem, "-%s..%s" % [limit, limit])
 			assert_string_contains(problem, "2e+15")
 		var large := WorldLimits.problem_of_ball(Ball.new(Vec2.zero(), 2e15), largest)
-		assert_string_contains(large, "at most %s, not 2000000000000000.0" % name)
+		assert_string_contains(large, "at most %s, not 2000000000000000.0" % limit)
 
 
 func test_numbers_that_are_none_are_refused() -> void:

@@ -1,0 +1,62 @@
+class_name LessonRequest
+extends RefCounted
+## Which lesson was asked for, and which state of its board: `-- --lesson=<id>?<state>` when the lab
+## was started, or `#<id>?<state>` in a browser's address. The state may be left out.
+
+const _ARGUMENT := "--lesson="
+
+static var _is_read := false
+static var _id := ""
+# The state asked for, as LessonLink reads it, and of which lesson.
+static var _state := ""
+static var _lesson_of_state := ""
+
+
+## From now on [param text], such as `dot_product?a=7,1`, is what was asked for.
+static func ask(text: String) -> void:
+	_is_read = true
+	var plain := _without_escapes(text.trim_prefix("#"))
+	_id = plain.get_slice("?", 0)
+	_state = plain.trim_prefix(_id).trim_prefix("?")
+	_lesson_of_state = _id
+
+
+## The id asked for; "" if none was. Only the first call returns it: later the start screen stays
+## open.
+static func take_id() -> String:
+	if not _is_read:
+		ask(_text_at_start())
+	var id := _id
+	_id = ""
+	return id
+
+
+## The state asked for of the lesson [param id]; "" if none was. Only the first call returns it,
+## whichever lesson it asks for.
+static func take_state(id: String) -> String:
+	var state := _state if id == _lesson_of_state else ""
+	_state = ""
+	return state
+
+
+## The text in `--lesson=<...>`, the first of these command-line arguments that has that form; ""
+## where none has.
+static func text_in_arguments(arguments: PackedStringArray) -> String:
+	for argument in arguments:
+		if argument.begins_with(_ARGUMENT):
+			return argument.trim_prefix(_ARGUMENT)
+	return ""
+
+
+static func _text_at_start() -> String:
+	var text := text_in_arguments(OS.get_cmdline_user_args())
+	return text if text else WebPage.fragment()
+
+
+# Browsers and chats write some letters of a link as %2C or %2c; the engine decodes the former only.
+# An escape that is no letter of ASCII cannot belong to a request and stays as it is.
+static func _without_escapes(text: String) -> String:
+	var plain := text
+	for escape in RegEx.create_from_string("%(?:[2-6][0-9A-Fa-f]|7[0-9A-Ea-e])").search_all(text):
+		plain = plain.replace(escape.get_string(), escape.get_string().to_upper().uri_decode())
+	return plain
