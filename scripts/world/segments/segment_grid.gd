@@ -61,8 +61,7 @@ func first_accelerated_impact(
 
 # Goes along the straight flight from cell to cell until an impact lies before the next border. The
 # number of the cell, and how many are left in each direction, are counted on: a prediction passes
-# about six cells. It is one function because all its variables are needed in each turn of the loop;
-# in fields of the object each of them would be slower to read.
+# about six cells.
 func _walk() -> void:
 	_entered = 0.0
 	_left = time
@@ -99,13 +98,7 @@ func _walk() -> void:
 		step_y = -_columns
 		rows_left = row
 	while true:
-		var entry := _first_entry[cell]
-		while entry >= 0:
-			var place := _entry_segment[entry]
-			if _tried[place] != _question:
-				_tried[place] = _question
-				_try(place)
-			entry = _entry_next[entry]
+		_try_cell(cell)
 		if next_x < next_y:
 			if next_x >= time or columns_left == 0:
 				return
@@ -118,6 +111,16 @@ func _walk() -> void:
 			rows_left -= 1
 			cell += step_y
 			next_y += between_y
+
+
+func _try_cell(cell: int) -> void:
+	var entry := _first_entry[cell]
+	while entry >= 0:
+		var place := _entry_segment[entry]
+		if _tried[place] != _question:
+			_tried[place] = _question
+			_try(place)
+		entry = _entry_next[entry]
 
 
 # Narrows the stretch of time in which the flight is in the grid to the one in which a coordinate is
