@@ -42,12 +42,12 @@ static func problem_of_ball(ball: Ball) -> String:
 	if ball.problem():
 		return ball.problem()
 	if not (is_within(ball.position) and is_within(ball.velocity)):
-		var values := [ball.position, ball.velocity]
-		return "A ball's position and velocity must be within -1e15..1e15, not %s and %s." % values
+		var vectors := [ball.position, ball.velocity]
+		return "A ball's position and velocity must be within -1e15..1e15, not %s and %s." % vectors
 	if ball.radius <= LARGEST and ball.mass <= LARGEST:
 		return ""
-	var values := [ball.radius, ball.mass]
-	return "A ball's radius and mass must be at most 1e15, not %s and %s." % values
+	var sizes := [ball.radius, ball.mass]
+	return "A ball's radius and mass must be at most 1e15, not %s and %s." % sizes
 
 
 ## An upright box, by its corners at the upper left and the lower right, in pixels.
