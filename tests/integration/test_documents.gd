@@ -3,6 +3,7 @@ extends LabTest
 
 const _DOCUMENTS: PackedStringArray = [
 	"README.md",
+	"docs/event_world.md",
 	"docs/collision_queries.md",
 	"docs/implementation_notes.md",
 	"docs/model.md",
