@@ -134,20 +134,22 @@ func _start_lesson() -> void:
 	lesson.start()
 
 
-# The board covers what may have been drawn of the lesson, and says what is wrong.
+# In place of the lesson, which may be half built.
 func _say_why_not_opened(why: String) -> void:
+	if lesson:
+		lesson.queue_free()
 	lesson = null
-	for child in _board_place.get_children():
-		child.queue_free()
 	var words := Label.new()
 	words.text = tr("The lesson “%s” could not be opened: %s") % [lesson_info.id, why]
 	words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	words.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 	words.set_anchors_and_offsets_preset(PRESET_FULL_RECT, PRESET_MODE_MINSIZE, 24)
 	var paper := ColorRect.new()
 	paper.color = Palette.PAPER
 	paper.set_anchors_preset(PRESET_FULL_RECT)
 	_board_place.add_child(paper)
 	_board_place.add_child(words)
+	(%NoticePlace as Control).move_to_front()
 
 
 func _add_service(need: String) -> Control:
@@ -193,11 +195,15 @@ func _show_state(stored: Dictionary) -> void:
 
 
 func _reset() -> void:
+	if not lesson:
+		return
 	lesson.show_state(lesson.reset_state(_first_state))
 	_store()
 
 
 func _copy_link() -> void:
+	if not lesson:
+		return
 	_show_notice(link.copy())
 
 
