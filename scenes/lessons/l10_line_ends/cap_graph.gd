@@ -1,3 +1,4 @@
+@tool
 class_name CapGraph
 extends Control
 ## The distance of the ball's centre from the end of the line against time: where it is the radius,
@@ -19,13 +20,15 @@ func _ready() -> void:
 	resized.connect(queue_redraw)
 
 
-## Draws the distance for [param equation] of the end called [param end_name], with the live point
-## at [param time].
+## Draws the distance for [param equation] of the end called [param end_name]. A ring marks the
+## distance at [param time].
 func show_equation(equation: CapEquation, end_name: String, time: float) -> void:
 	_equation = equation
 	_end_name = end_name
 	_time = time
-	accessibility_name = _title()
+	# The editor would save it.
+	if not Engine.is_editor_hint():
+		accessibility_name = _title()
 	queue_redraw()
 
 
@@ -44,7 +47,7 @@ func _title() -> String:
 	return tr("Distance from %s") % _end_name
 
 
-# From the start to the end of the frame, and further if a root lies a little beyond.
+# From the start to the end of the frame, and further where a root lies outside it.
 func _time_span() -> Vector2:
 	var span := Vector2(0.0, 1.0)
 	if _equation.has_roots():
