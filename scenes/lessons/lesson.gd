@@ -37,11 +37,15 @@ func _enter_tree() -> void:
 
 
 ## Shows [param model] from now on, by [param show_model]. Undo, reset and links keep its state. The
-## board is fitted to the points that [param points] returns, except during a drag.
+## board is fitted to the points that [param points] returns, except during a drag. A model at a
+## start that cannot be shown, such as from a scene, is pushed as an error.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
 	_kept_model = model
 	_show_again = show_model
 	_points_to_show = points
+	var problem := model.problem_in(model.link_state())
+	if problem:
+		push_error(problem)
 	resized.connect(show_all)
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
@@ -113,22 +117,20 @@ func show_state(stored: Dictionary) -> void:
 	show_all()
 
 
-## The state to which reset goes back: [param first], the one at the start, unless a lesson has a
-## nearer one, such as the start of the preset that was picked last.
+## The state to which reset goes back, where [param first] is the one at the start; see
+## [method LessonModel.reset_state].
 func reset_state(first: Dictionary) -> Dictionary:
-	return first
+	return _kept_model.reset_state(first) if _kept_model else first
 
 
-## What a link to the board holds: [method state] without the past, with the kinds of values that
-## [LessonLink] knows.
+## What a link to the board holds; see [method LessonModel.link_state].
 func link_state() -> Dictionary:
-	return state()
+	return _kept_model.link_state() if _kept_model else state()
 
 
-## The values that a link need not name, where [param wanted] is what it asks for: [param first],
-## the link state at the start, unless a lesson has a nearer one.
-func link_base(first: Dictionary, _wanted: Dictionary) -> Dictionary:
-	return first
+## The values that a link need not name; see [method LessonModel.link_base].
+func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
+	return _kept_model.link_base(first, wanted) if _kept_model else first
 
 
 ## "" if the lesson can show [param linked], a link state with the right names and kinds; else one
@@ -139,7 +141,7 @@ func link_problem(linked: Dictionary) -> String:
 
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
-	show_state(linked)
+	show_state(_kept_model.state_of_link(linked) if _kept_model else linked)
 
 
 func _notice(problem: Variant) -> void:
