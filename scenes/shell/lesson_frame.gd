@@ -3,7 +3,7 @@ extends PanelContainer
 ## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
 ## undo.
 
-## The student wants to leave. The way back is offered where something listens.
+## The student wants to leave. A way back is offered only where something listens.
 signal left
 ## A link to another lesson is to be opened.
 signal other_lesson_wanted(lesson: LessonInfo)
@@ -80,7 +80,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 func _input(event: InputEvent) -> void:
-	# A notice stands until the student does the next thing, which may bring another.
+	# A notice is shown until the next input, which may bring another.
 	if event.is_pressed():
 		_show_notice("")
 	if event is InputEventKey:
@@ -194,7 +194,7 @@ func _open_requested() -> void:
 		_show_notice(LessonIndex.refusal(id))
 
 
-# A link that names the lesson alone asks for its start; where nothing was asked it is there.
+# A link that names only the lesson asks for its start. Without a link the lesson is at its start.
 func _open_state(text_of_state: String, is_named: bool) -> void:
 	if not text_of_state and not is_named:
 		return

@@ -3,12 +3,19 @@ extends LabTest
 
 const _DOCUMENTS: PackedStringArray = [
 	"README.md",
+	"docs/collision_queries.md",
 	"docs/implementation_notes.md",
 	"docs/model.md",
 	"docs/vec2.md",
 ]
 ## What a first folder in backticks must be for the text to count as a path of the project.
 const _PATH := "`((?:scripts|scenes|tests|tools|docs|benchmarks|assets)/[\\w./]*)`"
+## The classes of the variables in the list of queries.
+const _VARIABLES: Dictionary[String, String] = {
+	"ball": "Ball",
+	"segment": "LineSegment",
+	"velocity": "Vec2",
+}
 const _LINK := '\\]\\((?!https?:)([^)#]+)\\)|src="([^"]+)"'
 
 
@@ -36,6 +43,26 @@ func test_the_readme_lists_the_lessons_in_their_order() -> void:
 func test_every_lesson_has_its_section_for_teachers() -> void:
 	var sections := _found("docs/model.md", "(?m)^## `(\\w+)`")
 	assert_eq(sections, LessonIndex.ids())
+
+
+func test_every_call_in_the_list_of_queries_exists() -> void:
+	var calls := _found("docs/collision_queries.md", "`(\\w+\\.\\w+)\\(")
+	assert_gt(calls.size(), 20, "calls are found")
+	for listed in calls:
+		var owner_name := listed.get_slice(".", 0)
+		owner_name = _VARIABLES.get(owner_name, owner_name)
+		assert_has(_methods_of(owner_name), listed.get_slice(".", 1), listed)
+
+
+func _methods_of(class_name_wanted: String) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for global_class: Dictionary in ProjectSettings.get_global_class_list():
+		if global_class["class"] == class_name_wanted:
+			var path: String = global_class["path"]
+			for method: Dictionary in (load(path) as GDScript).get_script_method_list():
+				var method_name: String = method["name"]
+				found.append(method_name)
+	return found
 
 
 func _found(document: String, pattern: String) -> PackedStringArray:

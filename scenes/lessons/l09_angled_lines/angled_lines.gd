@@ -57,6 +57,7 @@ func _connect_keys(keys: AngledLinesKeys) -> void:
 func _connect_player() -> void:
 	_player.play(_model, services[&"transport"] as Transport)
 	_player.changed.connect(_show_moment)
+	_player.refused.connect(noticed.emit)
 	_player.measured.connect(_show_status)
 	_player.rested.connect(_readout.advance)
 	_drawing.follow(_player, _model)
@@ -111,7 +112,7 @@ func _fetch_balls() -> void:
 
 
 func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppedWorld.Method)
+	_model.set_method(place as SteppingMethods.Method)
 
 
 func _switch(key: String, on: bool) -> void:

@@ -51,15 +51,11 @@ func _ready() -> void:
 ## The world with the lines, balls and gravity that the scene has at the start, and this bounciness.
 ## What the world refuses is pushed as an error.
 func world_at_start(bounciness: float) -> SteppedWorld:
-	var world := SteppedWorld.new()
-	for problem: String in [
-		world.surroundings.set_segments(_lines.lines_at_start()),
-		world.surroundings.set_gravity(_gravity.pull()),
-		world.surroundings.set_bounciness(bounciness),
-		world.set_balls(_balls.balls_at_start()),
-	]:
-		if problem:
-			push_error(problem)
+	var world := SteppedWorld.new(WholeFrameMover.new())
+	Refusal.push(world.surroundings.set_segments(_lines.lines_at_start()))
+	Refusal.push(world.surroundings.set_gravity(_gravity.pull()))
+	Refusal.push(world.surroundings.set_bounciness(bounciness))
+	Refusal.push(world.set_balls(_balls.balls_at_start()))
 	return world
 
 
@@ -95,7 +91,9 @@ func show_model(model: AngledLinesModel) -> void:
 ## Trails begin anew where the balls are.
 func begin_trails(model: AngledLinesModel) -> void:
 	_trails.begin(model.world)
-	_wrong_trails.begin(model.wrong_world if model.wrong_world else SteppedWorld.new())
+	_wrong_trails.begin(
+		model.wrong_world if model.wrong_world else SteppedWorld.new(WholeFrameMover.new())
+	)
 
 
 ## Shows where the balls of [param model] are now, and what comes next; null where time runs.

@@ -3,7 +3,7 @@ extends RefCounted
 ## What a link to the lesson on angled lines holds: the preset that was picked, and what differs
 ## from its start. It leaves out the past and the counters.
 
-## The words for the ways of stepping, in the order of [enum SteppedWorld.Method].
+## The words for the ways of stepping, in the order of [enum SteppingMethods.Method].
 const METHODS: PackedStringArray = [
 	"position_reset", "point_of_impact", "whole_frame", "event_world"
 ]
@@ -60,7 +60,7 @@ static func picked_in(linked: Dictionary) -> Dictionary:
 static func problem_in(linked: Dictionary) -> String:
 	var method: String = linked["method"]
 	var mistake: int = linked["mistake"]
-	var is_exact := method == METHODS[SteppedWorld.Method.EVENT_WORLD]
+	var is_exact := method == METHODS[SteppingMethods.Method.EVENT_WORLD]
 	var infos: Array[MistakeInfo] = []
 	var preset: int = linked["scene"]
 	var selected: int = linked["selected"]
@@ -161,7 +161,7 @@ static func _problem_of_balls(linked: Dictionary) -> String:
 
 # A lost ball is brought back to its start: a start must not be out of reach itself.
 static func _problem_of_starts(starts: Array[PackedFloat64Array]) -> String:
-	var world := SteppedWorld.new()
+	var world := SteppedWorld.new(WholeFrameMover.new())
 	var balls: Array[Ball] = []
 	for start in starts:
 		balls.append(Ball.new(Vec2.new(start[0], start[1]), 1.0, Vec2.new(start[2], start[3])))

@@ -16,11 +16,11 @@ const USUAL_GRAVITY := 300.0
 const _USUAL_BOUNCINESSES: Array[float] = [1.0, 0.8, 0.5, 0.0]
 
 ## The world without a mistake, as right as [member method] is.
-var world := SteppedWorld.new()
+var world := SteppedWorld.new(WholeFrameMover.new())
 ## The world with the mistake; null while none is switched on.
 var wrong_world: SteppedWorld
 ## How a frame is stepped.
-var method := SteppedWorld.Method.WHOLE_FRAME
+var method := SteppingMethods.Method.WHOLE_FRAME
 ## The number of the mistake that is switched on; 0 for none.
 var mistake := 0
 ## The preset that was picked last, 0 to 9.
@@ -31,6 +31,8 @@ var selected := 0
 var last_bounce: BounceRecord
 ## Goes to any moment, in the event world; null in the other ways of stepping.
 var timeline: EventTimeline
+## What the latest step, forward or back, was refused with; "" if it was not.
+var refusal := ""
 
 # What preset 0 puts up.
 var _first: SteppedWorld
@@ -62,9 +64,9 @@ func put_up(other: SteppedWorld) -> void:
 
 ## Switches to the way of stepping [param new_method]. The event world makes no mistake: there the
 ## mistake is switched off.
-func set_method(new_method: SteppedWorld.Method) -> void:
+func set_method(new_method: SteppingMethods.Method) -> void:
 	method = new_method
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		mistake = 0
 	_begin()
 
@@ -73,30 +75,33 @@ func set_method(new_method: SteppedWorld.Method) -> void:
 func set_mistake(number: int) -> void:
 	mistake = number
 	if number:
-		method = SteppedWorld.Method.WHOLE_FRAME
+		method = SteppingMethods.Method.WHOLE_FRAME
 		set_up(AngledLinesMistakes.PRESETS[number])
 	else:
 		_begin()
 
 
-## One frame on.
+## One frame on; see [member refusal].
 func step() -> void:
 	if timeline:
-		go_to(timeline.time + FRAME)
+		refusal = go_to(timeline.time + FRAME)
 		return
 	_history.remember(_worlds())
+	refusal = ""
 	for some in _worlds():
-		some.step(FRAME)
+		var problem := some.step(FRAME)
+		refusal = refusal if refusal else problem
 	for record in world.latest_bounces:
 		if record.ball_index == selected:
 			last_bounce = record
 
 
-## One frame back, to the last bit. False where nothing older is known.
+## One frame back, to the last bit; see [member refusal]. False where nothing older is known.
 func step_back() -> bool:
+	refusal = ""
 	if timeline:
 		var has_past := timeline.time > 0.0
-		go_to(maxf(timeline.time - FRAME, 0.0))
+		refusal = go_to(maxf(timeline.time - FRAME, 0.0))
 		return has_past
 	last_bounce = null
 	return _history.go_back(_worlds())
@@ -129,15 +134,15 @@ func set_gravity(gravity: Vec2) -> String:
 
 
 ## Gravity along [param direction] as strong as it was, or as usual where there was none.
-func point_gravity(direction: Vec2) -> void:
+func point_gravity(direction: Vec2) -> String:
 	var strength := world.surroundings.gravity.length()
-	set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
+	return set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
 
 
 ## Takes the next of the usual bouncinesses.
-func take_next_bounciness() -> void:
+func take_next_bounciness() -> String:
 	var place := _USUAL_BOUNCINESSES.find(world.surroundings.bounciness)
-	set_bounciness(_USUAL_BOUNCINESSES[(place + 1) % _USUAL_BOUNCINESSES.size()])
+	return set_bounciness(_USUAL_BOUNCINESSES[(place + 1) % _USUAL_BOUNCINESSES.size()])
 
 
 ## Takes the bounciness C.
@@ -214,10 +219,10 @@ func from_dictionary(stored: Dictionary) -> void:
 	var stored_world: Dictionary = stored["world"]
 	preset = stored["preset"]
 	var stored_method: int = stored["method"]
-	method = stored_method as SteppedWorld.Method
+	method = stored_method as SteppingMethods.Method
 	mistake = stored["mistake"]
 	selected = stored["selected"]
-	WorldState.put(stored_world, world)
+	Refusal.push(WorldState.put(stored_world, world))
 	_starts.take(world)
 	var numbers: PackedFloat64Array = stored["first"]
 	_starts.put(numbers)
@@ -259,7 +264,7 @@ func _at_start_of(wanted_preset: int) -> AngledLinesModel:
 
 # From here on energy is compared and the past is counted.
 func _begin() -> void:
-	world.mover = SteppedWorld.mover_of(method)
+	world.mover = SteppingMethods.mover_of(method)
 	wrong_world = null
 	if mistake:
 		wrong_world = world.copy()
@@ -268,7 +273,7 @@ func _begin() -> void:
 	last_bounce = null
 	_first_energy = world.energy()
 	timeline = null
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		timeline = EventTimeline.new(world, FRAME)
 
 

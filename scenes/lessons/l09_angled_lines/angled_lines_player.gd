@@ -11,6 +11,8 @@ signal changed
 signal rested
 ## The meter has a new result.
 signal measured
+## A ball could not be moved to the end of the frame; the sentence says why.
+signal refused(problem: String)
 
 # At most this many frames are made at once: on a slow machine time runs slower.
 const _MOST_AT_ONCE := 4
@@ -82,3 +84,5 @@ func _step(is_forward: bool) -> void:
 		stepped.emit(true)
 	elif _model.step_back():
 		stepped.emit(false)
+	if _model.refusal:
+		refused.emit(_model.refusal)

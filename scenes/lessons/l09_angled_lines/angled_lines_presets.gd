@@ -93,11 +93,11 @@ static func world_of(number: int) -> SteppedWorld:
 static func _world(
 	lines: Array[Vector4i], gravity: Vector2i, bounciness: float, balls: Array[Ball]
 ) -> SteppedWorld:
-	var world := SteppedWorld.new()
-	world.surroundings.set_segments(_segments(lines))
-	world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y))
-	world.surroundings.set_bounciness(bounciness)
-	world.set_balls(balls)
+	var world := SteppedWorld.new(WholeFrameMover.new())
+	Refusal.push(world.surroundings.set_segments(_segments(lines)))
+	Refusal.push(world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y)))
+	Refusal.push(world.surroundings.set_bounciness(bounciness))
+	Refusal.push(world.set_balls(balls))
 	return world
 
 
@@ -152,5 +152,5 @@ static func _cradle() -> SteppedWorld:
 			var start := foot.minus(along.scaled(98.0))
 			balls.append(Ball.new(start, 12.0, along.scaled(172.0 * wall)))
 	var world := _world([], _NONE, 1.0, balls)
-	world.surroundings.set_segments(lines)
+	Refusal.push(world.surroundings.set_segments(lines))
 	return world

@@ -31,6 +31,6 @@ func advance() -> void:
 
 func _show() -> void:
 	_readout.show_headings(AngledLinesTexts.headings(_comparison.frames()))
-	for method: int in SteppedWorld.Method.size():
-		var row := AngledLinesTexts.comparison(_comparison, method as SteppedWorld.Method)
+	for method: int in SteppingMethods.Method.size():
+		var row := AngledLinesTexts.comparison(_comparison, method as SteppingMethods.Method)
 		_readout.show_texts(str(method), row)

@@ -3,7 +3,7 @@ extends RefCounted
 ## The words of the lesson on angled lines.
 
 
-## The ways of stepping, in the order of [enum SteppedWorld.Method].
+## The ways of stepping, in the order of [enum SteppingMethods.Method].
 static func methods() -> PackedStringArray:
 	return [
 		_translate("Position reset"),
@@ -25,34 +25,37 @@ static func headings(frames: int) -> PackedStringArray:
 
 
 ## A row of the comparison: the energy that is left in one way of stepping, its error, and the run
-## time of a frame. With C below 1 energy must be lost, and so there is no error to show.
-static func comparison(of: MethodComparison, method: SteppedWorld.Method) -> PackedStringArray:
+## time of a frame. With C below 1 energy must be lost, and so there is no error to show. Where a
+## ball bounced too often to be moved on, the row says so.
+static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
 	if of.lost_count(method):
 		text = _translate("%s, %d lost") % [text, of.lost_count(method)]
+	if of.refusal(method):
+		text = _translate("stopped")
 	return [
 		_row_title(method),
 		text,
-		NumberText.size(share - 1.0) if of.keeps_energy() else "–",
+		NumberText.size(share - 1.0) if of.keeps_energy() and not of.refusal(method) else "–",
 		_translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
 	]
 
 
-static func _row_title(method: SteppedWorld.Method) -> String:
+static func _row_title(method: SteppingMethods.Method) -> String:
 	match method:
-		SteppedWorld.Method.POSITION_RESET:
+		SteppingMethods.Method.POSITION_RESET:
 			return _translate("reset")
-		SteppedWorld.Method.POINT_OF_IMPACT:
+		SteppingMethods.Method.POINT_OF_IMPACT:
 			return _translate("rest dropped")
-		SteppedWorld.Method.WHOLE_FRAME:
+		SteppingMethods.Method.WHOLE_FRAME:
 			return _translate("rest used")
 	return _translate("event world")
 
 
 ## The note at the point of impact.
 static func impact_label(bounce: BounceRecord) -> String:
-	return "t = %s" % NumberText.short(bounce.time, 3)
+	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
 ## The lines of the status card: time, bounces, lost balls, energy, and the script's share of a

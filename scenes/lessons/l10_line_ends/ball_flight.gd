@@ -1,9 +1,9 @@
 class_name BallFlight
 extends RefCounted
 ## The path of a ball in one frame with at most one elastic bounce, in closed form: its place can be
-## asked for at any time, in any order.
+## asked for after any fraction of the frame, in any order.
 
-## The centre at time 0.
+## The centre at the beginning of the frame.
 var start: Vec2
 ## The motion of the whole frame, before the bounce.
 var motion: Vec2
@@ -25,19 +25,19 @@ func motion_after() -> Vec2:
 	return motion.reflected(impact.normal) if has_normal else motion.copy()
 
 
-## The centre at [param time], a share of the frame.
-func position_at(time: float) -> Vec2:
-	if not impact.hit or time < impact.time:
-		return start.plus(motion.scaled(time))
-	return impact.position.plus(motion_after().scaled(time - impact.time))
+## The centre after [param fraction] of the frame.
+func position_at(fraction: float) -> Vec2:
+	if not impact.hit or fraction < impact.fraction:
+		return start.plus(motion.scaled(fraction))
+	return impact.position.plus(motion_after().scaled(fraction - impact.fraction))
 
 
-## The corners of the path from time 0 to [param time].
-func corners(time: float) -> Array[Vec2]:
+## The corners of the path from the beginning of the frame to [param fraction] of it.
+func corners(fraction: float) -> Array[Vec2]:
 	var found: Array[Vec2] = [start]
-	if impact.hit and time > impact.time:
+	if impact.hit and fraction > impact.fraction:
 		found.append(impact.position)
-	found.append(position_at(time))
+	found.append(position_at(fraction))
 	return found
 
 

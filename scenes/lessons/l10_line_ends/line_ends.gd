@@ -62,12 +62,12 @@ func _show_exercise(exercise: CapExercise) -> void:
 	exercise.lay(_model)
 
 
-# The frame is played from its start to its end and then stops. Only the drawing shows the time.
+# The frame is played from its start to its end and then stops. Only the drawing changes.
 func _advance(seconds: float) -> void:
-	if _transport.is_playing and _model.time >= 1.0:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
-	if _model.time >= 1.0:
+	if _transport.is_playing and _model.fraction >= 1.0:
+		_model.fraction = 0.0
+	_model.fraction = clampf(_model.fraction + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
+	if _model.fraction >= 1.0:
 		_transport.is_playing = false
 	_drawing.show_model(_model, _steps.step)
 

@@ -72,9 +72,9 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 	_formula.put_number("approach", approach, Palette.Role.INK)
 	_formula.put_number("radius", model.radius, Palette.Role.INK)
 	if approach != 0.0:
-		var time := PointOfImpact.share(absf(signed), absf(signed) - approach, model.radius)
-		var point := model.start.plus(model.motion.scaled(time))
-		_formula.put_number("line_time", time, _BLUE)
+		var fraction := PointOfImpact.fraction(absf(signed), absf(signed) - approach, model.radius)
+		var point := model.start.plus(model.motion.scaled(fraction))
+		_formula.put_number("line_fraction", fraction, _BLUE)
 		_formula.put_vector("line_point", point, _BLUE)
 		_formula.put_number("s", model.segment.share_of(point), Palette.Role.INK)
 
@@ -114,7 +114,7 @@ func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
 	if model.motion.dot(model.facing_normal()) == 0.0:
 		found.append("{v} · {n} = 0: " + tr("along the line, no time of impact"))
 		return found
-	found.append("{t} = ({distance} − {radius}) / {approach} = {line_time}")
+	found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
 	if step == LineEndsTexts.Step.SEGMENT:
 		found.append("F = P + {t} {v} = {line_point}")
 		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
@@ -150,7 +150,7 @@ func _lines_on_roots(model: LineEndsModel) -> PackedStringArray:
 	]
 
 
-# Which of the two times counts, in a few words.
+# Which of the two roots counts, in a few words.
 func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
 	if model.result_in(LineEndsModel.Field.ROUND_CAPS) == LineEndsModel.Result.BOUNCES:
 		return tr("the line is met first")

@@ -45,7 +45,7 @@ static func event_in(field: LineEndsModel.Field, model: LineEndsModel) -> String
 	var impact := model.impact_in(field)
 	if not impact.hit:
 		return words
-	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.time, 3)
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction, 3)
 
 
 ## What the ball of a mistake does on its [param wrong] flight, translated.
@@ -54,7 +54,7 @@ static func wrong_event(model: LineEndsModel, wrong: BallFlight) -> String:
 		return _translate("the wrong ball does the same here")
 	if not wrong.impact.hit:
 		return _translate("✗ the wrong ball passes")
-	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.time, 5)
+	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.fraction, 5)
 
 
 # Mistake 23 takes one of the other lines for the right one.

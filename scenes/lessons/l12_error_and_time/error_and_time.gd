@@ -30,7 +30,7 @@ var _has_pointed := false
 
 
 func start() -> void:
-	_model = ErrorAndTimeModel.new(_peer_cases)
+	_model = ErrorAndTimeModel.new(_engine_cases)
 	_model.choose_problem(_model.place_of(first_problem))
 	_formula = ErrorAndTimeFormula.new(services[&"formula"] as Formula)
 	_readout = ErrorAndTimeReadout.new(services[&"readout"] as Readout)
@@ -48,8 +48,8 @@ func start() -> void:
 	begin(_model, _show)
 
 
-func _peer_cases(problem_id: String) -> Array[MeasuredCase]:
-	return PeerCases.of(problem_id, true, %Engine as Node)
+func _engine_cases(problem_id: String) -> Array[MeasuredCase]:
+	return EngineCases.of(problem_id, true, %Engine as Node)
 
 
 ## Here measuring is what goes on by itself.
@@ -118,7 +118,7 @@ func _show() -> void:
 	var problem := _model.problem()
 	_plot.x_title = MeasuredTexts.of(problem.run_time_axis)
 	_plot.y_title = MeasuredTexts.of(problem.error_axis)
-	_plot.show_series(MeasuredTexts.all_of(_model.run().methods()), _model.run().are_peers())
+	_plot.show_series(MeasuredTexts.all_of(_model.run().methods()), _model.run().are_baselines())
 	_options.fill_choice("situation", MeasuredTexts.all_of(_model.situations()))
 	_options.show_choice("problem", _model.problem_place)
 	_options.show_choice("situation", _model.situation_place)

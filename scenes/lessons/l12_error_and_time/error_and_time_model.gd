@@ -15,17 +15,17 @@ var is_stability_open := false
 var stability := StabilityRun.new(StabilityCases.all())
 
 # Returns the cases of the engine for a problem's id: they need a scene, which the lesson has.
-var _peer_cases: Callable
+var _engine_cases: Callable
 # All cases of a problem by its id, and the runs of its situations. They are kept: a problem that is
 # chosen again shows what was found before.
 var _cases: Dictionary[String, Array] = {}
 var _runs: Dictionary[String, MeasuringRun] = {}
 
 
-## A model whose problems are also solved by the cases that [param peer_cases] returns, as an
+## A model whose problems are also solved by the cases that [param engine_cases] returns, as an
 ## Array[MeasuredCase], for a problem's id.
-func _init(peer_cases: Callable) -> void:
-	_peer_cases = peer_cases
+func _init(engine_cases: Callable) -> void:
+	_engine_cases = engine_cases
 
 
 ## The problem that is chosen.
@@ -173,8 +173,8 @@ func _all_cases(of_problem: ReportProblem) -> Array[MeasuredCase]:
 	var id := of_problem.id
 	if not _cases.has(id):
 		var found := of_problem.cases(true)
-		var peers: Array[MeasuredCase] = _peer_cases.call(id)
-		found.append_array(peers)
+		var engine: Array[MeasuredCase] = _engine_cases.call(id)
+		found.append_array(engine)
 		_cases[id] = found.filter(func(case: MeasuredCase) -> bool: return not case.needs_frames)
 	var cases: Array[MeasuredCase] = []
 	cases.assign(_cases[id])
