@@ -58,7 +58,8 @@ func _print_row(count: int) -> void:
 	var rates: PackedFloat64Array = []
 	var costs: PackedFloat64Array = []
 	for run: int in RUNS:
-		(_lesson.services[&"options"] as LessonOptions).preset_picked.emit("lab_preset_%d" % PRESETS[count])
+		var options := _lesson.services[&"options"] as LessonOptions
+		options.preset_picked.emit("lab_preset_%d" % PRESETS[count])
 		(_lesson.services[&"transport"] as Transport).is_playing = true
 		for frame: int in WARM_UP:
 			await process_frame
