@@ -37,15 +37,16 @@ func _enter_tree() -> void:
 
 
 ## Shows [param model] from now on, by [param show_model]. Undo, reset and links keep its state. The
-## board is fitted to the points that [param points] returns, except during a drag. A model at a
-## start that cannot be shown, such as from a scene, is pushed as an error.
+## board is fitted to the points that [param points] returns, except during a drag. An error if the
+## lesson cannot show the model as it is now: then a value in the scene is wrong.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
-	_kept_model = model
-	_show_again = show_model
-	_points_to_show = points
 	var problem := model.problem_in(model.link_state())
 	if problem:
 		push_error(problem)
+		return
+	_kept_model = model
+	_show_again = show_model
+	_points_to_show = points
 	resized.connect(show_all)
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
@@ -80,17 +81,42 @@ func on_move(wire: Signal, change: Callable) -> void:
 	)
 
 
+## When the student picks something in the panel - a preset, a switch, a mistake, the numbers of a
+## question - [param change] gets what this changes in the state; the change is complete.
+func on_pick(change: Callable) -> void:
+	for service: Control in services.values():
+		if service.has_signal(&"picked"):
+			on_edit(Signal(service, &"picked"), change)
+
+
+## While the empty board is clicked or dragged on with [param button], [param change] gets the point
+## below the pointer; the change is complete when the button is released.
+func on_point(button: MouseButton, change: Callable) -> void:
+	board.pointed.connect(
+		func(at: Vec2, pressed: MouseButton) -> void:
+			if pressed == button:
+				pause()
+				_notice(change.call(at))
+				_show_again.call()
+	)
+	if not board.released.is_connected(finish):
+		board.released.connect(finish)
+
+
 ## A change is complete: shows everything and has the frame keep the state for undo.
 func finish() -> void:
 	show_all()
 	edited.emit()
 
 
-## Fits the board and shows the model.
+## Fits the board and shows the model, here and where a service shows what is picked.
 func show_all() -> void:
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
+	for service: Control in services.values():
+		if service.has_method(&"show_picked"):
+			service.call(&"show_picked", _kept_model.to_dictionary())
 	_show_again.call()
 
 

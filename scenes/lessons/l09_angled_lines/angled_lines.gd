@@ -18,7 +18,6 @@ var _readout: AngledLinesReadout
 @onready var _engine: EngineLane = %Engine
 @onready var _timeline: TimelineCard = %TimelineCard
 @onready var _options: LessonOptions = services.get(&"options")
-@onready var _mistakes: Mistakes = services.get(&"mistakes")
 
 
 func start() -> void:
@@ -81,8 +80,9 @@ func _fill_panel() -> void:
 	_formula = AngledLinesFormula.new(formula)
 	on_edit(formula.number_entered, _enter_number)
 	_readout = AngledLinesReadout.new(services[&"readout"] as Readout)
-	_mistakes.add_all(AngledLinesMistakes.all())
-	on_edit(_mistakes.mistake_picked, _model.set_mistake)
+	var mistakes := services[&"mistakes"] as Mistakes
+	mistakes.add_all(AngledLinesMistakes.all())
+	on_edit(mistakes.mistake_picked, _model.set_mistake)
 	var question := services[&"question"] as Question
 	question.offer(SteppingExercise.fresh, SteppingExercise.Kind.size())
 	on_edit(question.board_wanted, func(of: SteppingExercise) -> void: _model.put_up(of.world))
@@ -140,7 +140,6 @@ func show_all() -> void:
 func _show() -> void:
 	_options.show_choice("method", _model.method)
 	_options.show_switch("engine", _engine.is_on())
-	_mistakes.show_mistake(_model.mistake)
 	_engine.begin_anew(_model)
 	_drawing.show_model(_model)
 	_show_trails(_drawing.has_trails)

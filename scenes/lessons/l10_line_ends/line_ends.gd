@@ -12,7 +12,6 @@ var _readout: LineEndsReadout
 @onready var _drawing: LineEndsDrawing = %Drawing
 @onready var _steps: Steps = services.get(&"steps")
 @onready var _transport: Transport = services.get(&"transport")
-@onready var _mistakes: Mistakes = services.get(&"mistakes")
 
 
 func start() -> void:
@@ -20,7 +19,6 @@ func start() -> void:
 	on_drag(_drawing.shot_moved, _drawing.shot_released, _model.set_shot)
 	on_drag(_drawing.line_moved, _drawing.line_released, _model.set_line)
 	_transport.advanced.connect(_advance)
-	_steps.open_at(LineEndsTexts.Step.size() - 1)
 	_fill_panel()
 	begin(_model, _show)
 
@@ -33,8 +31,9 @@ func _fill_panel() -> void:
 	var options := services[&"options"] as LessonOptions
 	options.add_presets(LineEndsPresets.SHOTS.keys())
 	on_edit(options.preset_picked, _set_up)
-	_mistakes.add_all(LineEndsMistakeTexts.infos())
-	on_edit(_mistakes.mistake_picked, _switch_mistake)
+	var mistakes := services[&"mistakes"] as Mistakes
+	mistakes.add_all(LineEndsMistakeTexts.infos())
+	on_edit(mistakes.mistake_picked, _switch_mistake)
 	var question := services[&"question"] as Question
 	question.offer(CapExercise.fresh, CapExercise.Kind.size())
 	on_edit(question.board_wanted, _show_exercise)
@@ -83,7 +82,6 @@ func show_all() -> void:
 
 func _show() -> void:
 	_steps.tell(LineEndsTexts.sentences())
-	_mistakes.show_mistake(_model.mistake)
 	_drawing.show_model(_model, _steps.step)
 	_formula.show_model(_model, _steps.step)
 	_readout.show_model(_model)

@@ -38,6 +38,5 @@ func _show(key: String, title: String, find: Callable, exact: DoubleDouble) -> v
 		var error := 0.0 if impact.fraction == 0.0 else exact.error_of(impact.fraction)
 		_readout.show_result(key, title, impact.fraction, error, nanoseconds)
 	else:
-		var cost := tr("%s ns") % NumberText.short(nanoseconds, 2)
 		var none := tr("none")
-		_readout.show_texts(key, [title, none, "–", cost])
+		_readout.show_texts(key, [title, none, "–", _readout.time_text(nanoseconds)])
