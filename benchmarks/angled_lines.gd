@@ -4,7 +4,7 @@ extends SceneTree
 ##
 ## Run with: godot --headless --path . -s benchmarks/angled_lines.gd
 ## [br][br]
-## The situations are those of the lesson. A time is the median of the frames; the soak is 36 000
+## The worlds are the presets of the lesson. A time is the median of the frames; the soak is 36 000
 ## frames as fast as the machine makes them. Ends with exit code 1 where a ball was lost, a number
 ## is not finite, or objects are left over.
 
@@ -12,15 +12,15 @@ const FRAME := 1.0 / 60.0
 const FRAMES := 600
 const SOAK_FRAMES := 36000
 
-## The lesson's situations with 1, 10 and 50 balls.
-const SITUATIONS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
+## The lesson's presets with 1, 10 and 50 balls.
+const PRESETS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
 
 func _init() -> void:
 	print("Milliseconds of script per frame (median of %d), share of 1/60 s\n" % FRAMES)
 	print("| balls | lines | position reset | rest dropped | rest used | event world |")
 	print("|---|---|---|---|---|---|")
-	for count: int in SITUATIONS:
+	for count: int in PRESETS:
 		_print_row(count)
 	quit(0 if _soak() else 1)
 
@@ -76,6 +76,4 @@ func _soaked(count: int) -> Array:
 
 
 func _world(count: int) -> SteppedWorld:
-	var world := SteppedWorld.new(WholeFrameMover.new())
-	AngledLinesScenes.set_up(SITUATIONS[count], world)
-	return world
+	return AngledLinesPresets.world_of(PRESETS[count])

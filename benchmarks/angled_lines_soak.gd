@@ -10,7 +10,7 @@ extends SceneTree
 
 const MINUTES := 10.0
 const SPEED := 8.0
-const FIFTY_BALLS := "8"
+const FIFTY_BALLS := "lab_preset_8"
 # Seconds of the lesson until all is made that stays: the past that a step back needs is full.
 const WARM_UP := 20.0
 

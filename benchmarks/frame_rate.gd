@@ -13,8 +13,8 @@ const SECONDS := 4.0
 const WARM_UP := 30
 const FRAME := 1.0 / 60.0
 
-## The lesson's situations with 1, 10 and 50 balls.
-const SITUATIONS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
+## The lesson's presets with 1, 10 and 50 balls.
+const PRESETS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
 const DirectDrawing := preload("res://tools/direct_drawing.gd")
 
@@ -50,7 +50,7 @@ func _print_table(title: String) -> void:
 		"| balls | frames a second, best | worst | processor ms, best run | script, ms of 1/60 s |"
 	)
 	print("|---|---|---|---|---|")
-	for count: int in SITUATIONS:
+	for count: int in PRESETS:
 		await _print_row(count)
 
 
@@ -58,7 +58,8 @@ func _print_row(count: int) -> void:
 	var rates: PackedFloat64Array = []
 	var costs: PackedFloat64Array = []
 	for run: int in RUNS:
-		(_lesson.services[&"options"] as LessonOptions).preset_picked.emit(str(SITUATIONS[count]))
+		var options := _lesson.services[&"options"] as LessonOptions
+		options.preset_picked.emit("lab_preset_%d" % PRESETS[count])
 		(_lesson.services[&"transport"] as Transport).is_playing = true
 		for frame: int in WARM_UP:
 			await process_frame

@@ -40,7 +40,7 @@ func _enter_tree() -> void:
 ## board is fitted to the points that [param points] returns, except during a drag. An error if the
 ## lesson cannot show the model as it is now: then a value in the scene is wrong.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
-	var problem := model.problem_in(model.to_dictionary())
+	var problem := model.problem_in(model.link_state())
 	if problem:
 		push_error(problem)
 		return
@@ -143,22 +143,20 @@ func show_state(stored: Dictionary) -> void:
 	show_all()
 
 
-## The state to which reset goes back: [param first], the one at the start, unless a lesson has a
-## nearer one, such as the start of the preset that was picked last.
+## The state to which reset goes back, where [param first] is the one at the start; see
+## [method LessonModel.reset_state].
 func reset_state(first: Dictionary) -> Dictionary:
-	return first
+	return _kept_model.reset_state(first) if _kept_model else first
 
 
-## What a link to the board holds: [method state] without the past, with the kinds of values that
-## [LessonLink] knows.
+## What a link to the board holds; see [method LessonModel.link_state].
 func link_state() -> Dictionary:
-	return state()
+	return _kept_model.link_state() if _kept_model else state()
 
 
-## The values that a link need not name, where [param wanted] is what it asks for: [param first],
-## the link state at the start, unless a lesson has a nearer one.
-func link_base(first: Dictionary, _wanted: Dictionary) -> Dictionary:
-	return first
+## The values that a link need not name; see [method LessonModel.link_base].
+func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
+	return _kept_model.link_base(first, wanted) if _kept_model else first
 
 
 ## "" if the lesson can show [param linked], a link state with the right names and kinds; else one
@@ -169,7 +167,7 @@ func link_problem(linked: Dictionary) -> String:
 
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
-	show_state(linked)
+	show_state(_kept_model.state_of_link(linked) if _kept_model else linked)
 
 
 func _notice(problem: Variant) -> void:

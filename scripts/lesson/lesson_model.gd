@@ -22,6 +22,29 @@ func take(changes: Dictionary) -> String:
 
 
 ## "" if the lesson can show the state [param stored], which has the names and kinds of
-## [method to_dictionary]; else one translated sentence with the value and what is allowed.
+## [method link_state]; else one translated sentence with the value and what is allowed.
 func problem_in(_stored: Dictionary) -> String:
 	return ""
+
+
+## The state to which reset goes back: [param first], the one at the start, unless a lesson has a
+## nearer one, such as the start of the preset that was picked last.
+func reset_state(first: Dictionary) -> Dictionary:
+	return first
+
+
+## What a link to the board holds: [method to_dictionary] without the past, with the kinds of values
+## that [LessonLink] knows.
+func link_state() -> Dictionary:
+	return to_dictionary()
+
+
+## The values that a link need not name, where [param wanted] is what it asks for: [param first],
+## the link state at the start, unless a lesson has a nearer one.
+func link_base(first: Dictionary, _wanted: Dictionary) -> Dictionary:
+	return first
+
+
+## The state for [method from_dictionary] that [param linked], a link state, stands for.
+func state_of_link(linked: Dictionary) -> Dictionary:
+	return linked

@@ -5,6 +5,7 @@ extends ScreenTest
 const _CLOCK := preload("res://tests/support/lessons/clock.tres")
 const _STILL := preload("res://tests/support/lessons/still.tres")
 const _BROKEN := preload("res://tests/support/lessons/broken.tres")
+const _IMPOSSIBLE := preload("res://tests/support/lessons/impossible.tres")
 const _ROUND_TRIPS := 10
 
 
@@ -36,6 +37,12 @@ func test_a_lesson_that_cannot_start_says_so_in_the_window() -> void:
 	for action: StringName in [&"lab_reset", &"lab_copy_link", &"lab_undo"]:
 		await student.press(action)
 	assert_reads("The lesson “broken” could not be opened: ")
+
+
+func test_a_lesson_whose_start_cannot_be_shown_says_so_in_the_window() -> void:
+	await open_lesson(_IMPOSSIBLE)
+	assert_push_error("The radius must not be -1.")
+	assert_reads("The lesson “impossible” could not be opened: The radius must not be -1.")
 
 
 func test_the_back_button_leads_to_the_start_screen() -> void:

@@ -1,265 +1,167 @@
 extends Lesson
 ## The lesson on angled lines, the assignment of the course: balls bounce among lines that can be
-## drawn, moved and deleted, under gravity in any direction.
+## drawn, moved and deleted, under gravity in any direction. Lines, balls and gravity at the start
+## are in the scene.
 
 ## Keys of this lesson, for the help line.
 const ACTIONS := AngledLinesKeys.ACTIONS
-# Half of what the board shows at least, in pixels of the course.
-const _HALF_VIEW := Vector2i(290, 200)
-const _SNAP_STEP := 10.0
-# The timeline at the foot of the board needs room below the lines.
-const _HALF_VIEW_WITH_TIMELINE := Vector2i(290, 245)
 
-var _model := AngledLinesModel.new()
+## The bounciness C at the start: the share of the speed along the normal that a bounce keeps.
+@export_range(0.0, 1.0, 0.01) var bounciness := 1.0
+
+var _model: AngledLinesModel
 var _formula: AngledLinesFormula
-var _panel: AngledLinesPanel
-# What was refused last, until it has been told.
-var _problem := ""
+var _readout: AngledLinesReadout
 
 @onready var _drawing: AngledLinesDrawing = %Drawing
-@onready var _lines: LineViews = %Lines
-@onready var _velocity: DraggableVector = %Velocity
-@onready var _gravity: GravityArrow = %Gravity
-@onready var _pointer: BoardPointer = %Pointer
 @onready var _player: AngledLinesPlayer = %Player
 @onready var _engine: EngineLane = %Engine
 @onready var _timeline: TimelineCard = %TimelineCard
-@onready var _status: Label = %Status
+@onready var _options: LessonOptions = services.get(&"options")
 
 
 func start() -> void:
-	for part: CanvasItem in [_lines, _gravity]:
-		(%Grid as Grid).take(part)
-	board.snap_step = _SNAP_STEP
-	var formula := services[&"formula"] as Formula
-	_formula = AngledLinesFormula.new(formula)
-	_panel = AngledLinesPanel.new(services)
-	_drawing.measure_with(_player.meter)
-	_player.play(_model, services[&"transport"] as Transport)
-	_player.stepped.connect(func(is_on: bool) -> void: _drawing.follow_step(_model, is_on))
-	_player.advanced.connect(_show_moment)
-	_player.turned.connect(_show_moment)
-	_player.refused.connect(noticed.emit)
-	_connect_board()
-	_connect_panel(formula)
-	_panel.ask()
-	resized.connect(_show_all)
-	_show_all()
-
-
-func state() -> Dictionary:
-	return _model.to_dictionary()
-
-
-func show_state(stored: Dictionary) -> void:
-	_player.pause()
-	_model.from_dictionary(stored)
-	_show_all()
-
-
-## Reset goes back to the start of the situation that was picked last.
-func reset_state(_first: Dictionary) -> Dictionary:
-	return _model.start_again().to_dictionary()
-
-
-func link_state() -> Dictionary:
-	return AngledLinesLink.state_of(_model)
-
-
-func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
-	return AngledLinesLink.base(first, wanted)
-
-
-func link_problem(linked: Dictionary) -> String:
-	return AngledLinesLink.problem_of(linked)
-
-
-func show_link(linked: Dictionary) -> void:
-	show_state(AngledLinesLink.to_dictionary(linked))
-
-
-func _connect_board() -> void:
+	_model = AngledLinesModel.new(_drawing.world_at_start(bounciness))
+	_connect_board(%Lines as LineViews, %Gravity as GravityArrow, %Pointer as BoardPointer)
 	_connect_keys(%Keys as AngledLinesKeys)
-	board.pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
-	board.released.connect(_pointer.release)
-	_pointer.ball_taken.connect(_select)
-	_pointer.ball_moved.connect(func(at: Vec2) -> void: _change_ball(at, _model.ball().velocity))
-	_pointer.ball_released.connect(_finish)
-	_pointer.line_drawn.connect(_lines.add_line)
-	_lines.changed.connect(
-		func(lines: Array[LineSegment]) -> void: _show_edit(_model.set_lines(lines))
-	)
-	_velocity.moved.connect(_move_arrow)
-	_gravity.turned.connect(func(pull: Vec2) -> void: _show_edit(_model.set_gravity(pull)))
+	_fill_options(%Keys as AngledLinesKeys)
+	_fill_panel()
+	_connect_player()
+	begin(_model, _show, func() -> Array[Vec2]: return _drawing.outline(_model))
+
+
+func _connect_board(lines: LineViews, gravity: GravityArrow, pointer: BoardPointer) -> void:
+	on_drag(lines.changed, lines.released, _model.set_lines)
+	on_drag(gravity.turned, gravity.released, _model.set_gravity)
+	on_drag(_drawing.ball_changed, _drawing.ball_released, _model.change_ball)
+	on_drag(pointer.ball_moved, pointer.ball_released, _model.move_ball)
+	pointer.follow(_model)
+	pointer.ball_taken.connect(_select)
+	pointer.line_drawn.connect(lines.add_line)
 	_timeline.moved.connect(_follow_jump)
-	for part: Object in [_lines, _velocity, _gravity]:
-		part.connect(&"released", _finish)
 
 
 func _connect_keys(keys: AngledLinesKeys) -> void:
-	keys.gravity_pointed.connect(_point_gravity)
-	keys.preset_picked.connect(_pick)
+	on_edit(keys.gravity_pointed, _model.point_gravity)
+	on_edit(keys.bounciness_wanted, _model.take_next_bounciness)
+	on_edit(keys.preset_picked, _model.set_up)
+	keys.fetch_wanted.connect(_fetch_balls)
 	keys.step_wanted.connect(_player.step)
 	keys.impact_wanted.connect(_timeline.go_to_impact)
-	keys.pressed.connect(_act)
+	keys.line_deleted.connect((%Lines as LineViews).delete_focused)
+	keys.trails_switched.connect(func() -> void: _show_trails(not _drawing.has_trails))
+	keys.trails_cleared.connect(func() -> void: _drawing.begin_trails(_model))
 
 
-func _connect_panel(formula: Formula) -> void:
-	formula.number_entered.connect(_enter_number)
-	var options := services[&"options"] as LessonOptions
-	options.switched.connect(_switch)
-	options.chosen.connect(_choose_method)
-	options.preset_picked.connect(_pick)
-	(services[&"question"] as Question).board_wanted.connect(_show_question.unbind(1))
-	(services[&"mistakes"] as Mistakes).mistake_picked.connect(_switch_mistake)
+func _connect_player() -> void:
+	_player.play(_model, services[&"transport"] as Transport)
+	_player.changed.connect(_show_moment)
+	_player.refused.connect(noticed.emit)
+	_player.measured.connect(_show_status)
+	_player.rested.connect(_readout.advance)
+	_drawing.follow(_player, _model)
+
+
+# A button of a preset does what the key of the preset does.
+func _fill_options(keys: AngledLinesKeys) -> void:
+	_options.add_choice("method", tr("How a frame is stepped"), AngledLinesTexts.methods())
+	_options.add_switch("trails", tr("Trails"))
+	_options.add_switch("engine", tr("Godot"))
+	for i in AngledLinesPresets.TITLES.size():
+		_options.add_preset("lab_preset_%d" % i, "%d %s" % [i, tr(AngledLinesPresets.TITLES[i])])
+	_options.add_preset("lab_fetch_balls", tr("F Fetch"))
+	on_edit(_options.chosen, _choose_method)
+	_options.switched.connect(_switch)
+	_options.preset_picked.connect(keys.act)
+
+
+func _fill_panel() -> void:
+	var formula := services[&"formula"] as Formula
+	_formula = AngledLinesFormula.new(formula)
+	on_edit(formula.number_entered, _enter_number)
+	_readout = AngledLinesReadout.new(services[&"readout"] as Readout)
+	var mistakes := services[&"mistakes"] as Mistakes
+	mistakes.add_all(AngledLinesMistakes.all())
+	on_edit(mistakes.mistake_picked, _model.set_mistake)
+	var question := services[&"question"] as Question
+	question.offer(SteppingExercise.fresh, SteppingExercise.Kind.size())
+	on_edit(question.board_wanted, func(of: SteppingExercise) -> void: _model.put_up(of.world))
 
 
 # What the student does.
 
 
-func _act(action: StringName) -> void:
-	match action:
-		&"lab_next_bounciness":
-			AngledLinesEntry.take_next_bounciness(_model)
-			_finish()
-		&"lab_toggle_trails":
-			_toggle_trails()
-		&"lab_clear_trails":
-			_drawing.clear_trails(_model)
-		&"lab_delete_line":
-			_lines.delete_focused()
-
-
-func _point_gravity(direction: Vec2) -> void:
-	_problem = _model.point_gravity(direction)
-	_finish()
-
-
-func _pick(preset: String) -> void:
-	if preset == "fetch":
-		_model.fetch_balls()
-		_drawing.clear_trails(_model)
-		_show_moment()
-	else:
-		_model.set_up(preset.to_int())
-		_finish()
-
-
 func _select(index: int) -> void:
-	_player.pause()
+	pause()
 	_model.selected = index
 	_engine.begin_anew(_model)
 	_show_moment()
 
 
-func _change_ball(position_wanted: Vec2, velocity: Vec2) -> void:
-	_show_edit(_model.change_ball(position_wanted, velocity))
+func _follow_jump(problem: String) -> void:
+	pause()
+	noticed.emit(problem)
+	_drawing.begin_trails(_model)
+	_show_moment()
 
 
-func _move_arrow(tail: Vec2, head: Vec2) -> void:
-	var ball := _model.ball()
-	if tail.distance_to(ball.position) > 0.0:
-		_change_ball(tail, ball.velocity)
-	else:
-		_change_ball(ball.position, _drawing.velocity_of(tail, head))
-
-
-func _enter_number(name_in_line: String, value: float) -> void:
-	_player.pause()
-	_problem = AngledLinesEntry.enter(_model, name_in_line, value)
-	_finish()
+func _fetch_balls() -> void:
+	_model.fetch_balls()
+	_drawing.begin_trails(_model)
+	_show_moment()
 
 
 func _choose_method(_key: String, place: int) -> void:
 	_model.set_method(place as SteppingMethods.Method)
-	_finish()
-
-
-func _switch_mistake(number: int) -> void:
-	_model.set_mistake(number)
-	_finish()
-
-
-func _show_question() -> void:
-	_model.take(_panel.world_of_question())
-	_finish()
 
 
 func _switch(key: String, on: bool) -> void:
 	if key == "trails":
-		_toggle_trails()
-	elif on:
-		_engine.begin(_model)
+		_show_trails(on)
 	else:
-		_engine.switch_off()
+		_engine.switch(on, _model)
 
 
-func _follow_jump(problem: String) -> void:
-	_player.pause()
-	noticed.emit(problem)
-	_drawing.clear_trails(_model)
-	_show_moment()
-
-
-func _toggle_trails() -> void:
-	_drawing.has_trails = not _drawing.has_trails
-	_panel.show_trails(_drawing.has_trails)
-
-
-func _finish() -> void:
-	_show_all()
-	edited.emit()
-	# After the edit is stored: that takes older notices away.
-	noticed.emit(_problem)
-	_problem = ""
+func _enter_number(name_in_line: String, value: float) -> String:
+	pause()
+	return AngledLinesFormula.enter(_model, name_in_line, value)
 
 
 # What the student sees.
 
 
-func _process(_delta: float) -> void:
+## After a complete change the arrow of the velocity is scaled, and the comparison begins anew.
+func show_all() -> void:
+	_drawing.scale_arrow(_model)
+	_readout.begin(_model.world)
+	super()
+
+
+func _show() -> void:
+	_options.show_choice("method", _model.method)
+	_options.show_switch("engine", _engine.is_on())
+	_engine.begin_anew(_model)
+	_drawing.show_model(_model)
+	_show_trails(_drawing.has_trails)
+	_show_moment()
+
+
+func _show_trails(on: bool) -> void:
+	_drawing.has_trails = on
+	_options.show_switch("trails", on)
+
+
+# What changes from frame to frame. What is to come is worked out only while time stands still.
+func _show_moment() -> void:
+	var forecast: BallForecast
 	if not _player.is_playing():
-		_panel.compare()
-	if _player.meter.end_frame():
+		forecast = _model.forecast(_model.world)
+	_drawing.show_moment(_model, forecast)
+	_timeline.show_model(_model)
+	_engine.show_moment(_model)
+	if _formula.show_moment(_model, forecast):
 		_show_status()
 
 
-func _show_all() -> void:
-	var half_view := _HALF_VIEW_WITH_TIMELINE if _model.timeline else _HALF_VIEW
-	board.fit([Vec2.new(half_view.x, half_view.y)])
-	_engine.begin_anew(_model)
-	_drawing.show_all(_model)
-	_drawing.show_surroundings(_model)
-	_panel.show_all(_model, _drawing.has_trails)
-	_panel.show_engine(_engine.is_on())
-	_show_moment()
-
-
-# While something is dragged: what was refused is told, and the old state stays.
-func _show_edit(problem: String) -> void:
-	_player.pause()
-	_problem = problem
-	noticed.emit(problem)
-	_engine.begin_anew(_model)
-	_drawing.clear_trails(_model)
-	_drawing.show_surroundings(_model)
-	_show_moment()
-
-
-func _show_moment() -> void:
-	_drawing.show_balls(_model)
-	_timeline.show_model(_model)
-	_engine.show_moment(_model)
-	if _player.is_playing():
-		_drawing.hide_forecast()
-		if not _formula.follow_model(_model):
-			return
-	else:
-		var forecast := _model.forecast(_model.world)
-		_drawing.show_forecast(_model, forecast)
-		_formula.show_model(_model, forecast.next_bounce)
-	_show_status()
-
-
 func _show_status() -> void:
-	_status.text = AngledLinesTexts.status(_model, _player.meter.milliseconds)
+	(%Status as Label).text = AngledLinesTexts.status(_model, _player.meter.milliseconds)

@@ -4,16 +4,24 @@ extends Node
 
 ## Gravity should point there; zero for none.
 signal gravity_pointed(direction: Vec2)
-## The ready-made situation of that number should be put up, or lost balls fetched.
-signal preset_picked(preset: String)
-## One frame on or back.
+## Another of the usual bouncinesses should be taken.
+signal bounciness_wanted
+## The preset with this number should be put up.
+signal preset_picked(number: int)
+## Lost balls should be brought back.
+signal fetch_wanted
+## Time should go one frame on or back.
 signal step_wanted(is_forward: bool)
-## To the next impact (1) or the one before (-1).
+## Time should go to the next impact (1) or to the one before (-1).
 signal impact_wanted(direction: int)
-## The student pressed the key of another action.
-signal pressed(action: StringName)
+## The line with the focus should be deleted.
+signal line_deleted
+## Trails should be shown, or hidden if they are shown.
+signal trails_switched
+## Trails should begin anew.
+signal trails_cleared
 
-## Those for the help line; a button on the screen names the others.
+## The actions for the help line. Buttons on the screen name the others.
 const ACTIONS: Array[StringName] = [
 	&"lab_step",
 	&"lab_step_back",
@@ -37,12 +45,12 @@ const ACTIONS: Array[StringName] = [
 	&"lab_preset_9",
 ]
 
-## Keys that a button names: of the line with the focus, of the timeline, and in the panel.
+## Actions that a button names: beside the line with the focus, on the timeline, in the panel.
 const ON_BUTTONS: Array[StringName] = [
 	&"lab_fetch_balls", &"lab_delete_line", &"lab_next_impact", &"lab_previous_impact"
 ]
 
-## These go on while the key is held.
+## Actions that go on while their key is held.
 const HELD: Array[StringName] = [
 	&"lab_step", &"lab_step_back", &"lab_next_impact", &"lab_previous_impact"
 ]
@@ -62,27 +70,41 @@ const _DIRECTIONS: Dictionary[StringName, Vector2i] = {
 func _unhandled_input(event: InputEvent) -> void:
 	for action: StringName in ACTIONS + ON_BUTTONS:
 		if event.is_action_pressed(action, action in HELD, true):
-			_tell(action)
+			act(action)
 			get_viewport().set_input_as_handled()
 			return
 
 
-func _tell(action: StringName) -> void:
+## Does what the key of [param action] does.
+func act(action: StringName) -> void:
 	if action in _DIRECTIONS:
 		gravity_pointed.emit(Vec2.new(_DIRECTIONS[action].x, _DIRECTIONS[action].y))
 	elif action.begins_with(_PRESET):
-		preset_picked.emit(action.trim_prefix(_PRESET))
+		preset_picked.emit(action.trim_prefix(_PRESET).to_int())
 	elif action in _IMPACTS:
 		impact_wanted.emit(_IMPACTS[action])
 	elif action in _STEPS:
 		step_wanted.emit(_STEPS[action])
-	elif action == &"lab_fetch_balls":
-		preset_picked.emit("fetch")
 	else:
-		pressed.emit(action)
+		_act_alone(action)
 
 
-# A button that was clicked keeps the focus, and would take Space and the arrows from the lesson.
+# The actions that have a signal of their own.
+func _act_alone(action: StringName) -> void:
+	match action:
+		&"lab_next_bounciness":
+			bounciness_wanted.emit()
+		&"lab_toggle_trails":
+			trails_switched.emit()
+		&"lab_clear_trails":
+			trails_cleared.emit()
+		&"lab_delete_line":
+			line_deleted.emit()
+		&"lab_fetch_balls":
+			fetch_wanted.emit()
+
+
+# A clicked button would keep the focus, and with it take Space and the arrow keys from the lesson.
 func _input(event: InputEvent) -> void:
 	var click := event as InputEventMouseButton
 	if click and not click.pressed:

@@ -1,39 +1,45 @@
 class_name AngledLinesLink
 extends RefCounted
-## What a link to the lesson on angled lines holds: the situation that was picked, and what is
-## different from its start. The past and the counters stay behind.
+## What a link to the lesson on angled lines holds: the preset that was picked, and what differs
+## from its start. It leaves out the past and the counters.
 
-## The ways of stepping by their words, in the order of [enum SteppingMethods.Method].
+## The words for the ways of stepping, in the order of [enum SteppingMethods.Method].
 const METHODS: PackedStringArray = [
 	"position_reset", "point_of_impact", "whole_frame", "event_world"
 ]
 ## Radii of balls in pixels.
 const SMALLEST_RADIUS := 0.1
 const LARGEST_RADIUS := 200.0
+## More lines would leave no room on the board.
+const MOST_LINES := 60
 
 const _BALL := 5
 const _START := 4
 const _LINE := 4
-# What a link does not take from the start of the situation.
+# Numbers before and for each ball in SteppedWorld.state().
+const _COUNTERS := 3
+const _MOVING := 5
+# What does not come from the start of a preset.
 const _PICKED: PackedStringArray = ["scene", "method", "mistake"]
 
 
-## What [param model] is like now.
-static func state_of(model: AngledLinesModel) -> Dictionary:
-	var stored := model.to_dictionary()
+## The link state for [param stored], a state of [method AngledLinesModel.to_dictionary].
+static func of_state(stored: Dictionary) -> Dictionary:
 	var world: Dictionary = stored["world"]
 	var starts: PackedFloat64Array = stored["first"]
 	var lines: PackedFloat64Array = world["lines"]
+	var radii: PackedFloat64Array = world["radii"]
+	var moving: PackedFloat64Array = world["moving"]
 	var balls: Array[PackedFloat64Array] = []
-	for ball in model.world.balls:
-		var place := ball.position
-		var velocity := ball.velocity
-		balls.append(PackedFloat64Array([place.x, place.y, velocity.x, velocity.y, ball.radius]))
+	for i in radii.size():
+		var at := _COUNTERS + _MOVING * i
+		balls.append(moving.slice(at, at + _BALL - 1) + PackedFloat64Array([radii[i]]))
+	var method: int = stored["method"]
 	return {
-		"scene": model.scene,
-		"method": METHODS[model.method],
-		"mistake": model.mistake,
-		"selected": model.selected,
+		"scene": stored["preset"],
+		"method": METHODS[method],
+		"mistake": stored["mistake"],
+		"selected": stored["selected"],
 		"gravity": world["gravity"],
 		"bounciness": world["bounciness"],
 		"balls": balls,
@@ -42,32 +48,28 @@ static func state_of(model: AngledLinesModel) -> Dictionary:
 	}
 
 
-## The start of the situation that [param wanted] names, but for what was picked: that is as in
-## [param first].
-static func base(first: Dictionary, wanted: Dictionary) -> Dictionary:
-	var model := AngledLinesModel.new()
-	var scene: int = wanted["scene"]
-	model.set_up(clampi(scene, 0, AngledLinesScenes.TITLES.size() - 1))
-	var start := state_of(model)
+## Those values of a link state that do not come from the start of a preset.
+static func picked_in(linked: Dictionary) -> Dictionary:
+	var found := {}
 	for name in _PICKED:
-		start[name] = first[name]
-	return start
+		found[name] = linked[name]
+	return found
 
 
 ## "" if [param linked] can be shown; else one sentence with the value and what is allowed.
-static func problem_of(linked: Dictionary) -> String:
+static func problem_in(linked: Dictionary) -> String:
 	var method: String = linked["method"]
 	var mistake: int = linked["mistake"]
 	var is_exact := method == METHODS[SteppingMethods.Method.EVENT_WORLD]
 	var infos: Array[MistakeInfo] = []
-	var scene: int = linked["scene"]
+	var preset: int = linked["scene"]
 	var selected: int = linked["selected"]
 	var balls: Array[PackedFloat64Array] = linked["balls"]
 	return (
 		StateCheck
 		. first(
 			[
-				StateCheck.within("scene", scene, 0, AngledLinesScenes.TITLES.size() - 1),
+				StateCheck.within("scene", preset, 0, AngledLinesPresets.TITLES.size() - 1),
 				StateCheck.word("method", method, METHODS),
 				# The event world makes no mistake.
 				StateCheck.mistake(mistake, infos if is_exact else AngledLinesMistakes.all()),
@@ -79,8 +81,9 @@ static func problem_of(linked: Dictionary) -> String:
 	)
 
 
-## The state for [method AngledLinesModel.from_dictionary], as it is before anything has happened.
-static func to_dictionary(linked: Dictionary) -> Dictionary:
+## The state for [method AngledLinesModel.from_dictionary] that [param linked] stands for. Its
+## counters are at 0, but for the balls that are lost already.
+static func to_state(linked: Dictionary) -> Dictionary:
 	var balls: Array[PackedFloat64Array] = linked["balls"]
 	var starts: Array[PackedFloat64Array] = linked["starts"]
 	var lines: Array[PackedFloat64Array] = linked["lines"]
@@ -95,7 +98,7 @@ static func to_dictionary(linked: Dictionary) -> Dictionary:
 		radii.append(ball[_BALL - 1])
 	var counters: PackedFloat64Array = [0, 0, lost_count]
 	return {
-		"scene": linked["scene"],
+		"preset": linked["scene"],
 		"method": METHODS.find(str(linked["method"])),
 		"mistake": linked["mistake"],
 		"selected": linked["selected"],
@@ -116,9 +119,9 @@ static func _problem_of_surroundings(linked: Dictionary) -> String:
 	var gravity: PackedFloat64Array = linked["gravity"]
 	var bounciness: float = linked["bounciness"]
 	var lines: Array[PackedFloat64Array] = linked["lines"]
-	if lines.size() > AngledLinesModel.MOST_LINES:
+	if lines.size() > MOST_LINES:
 		var sentence := TranslationServer.translate("There is room for %d lines: delete one first.")
-		return sentence % AngledLinesModel.MOST_LINES
+		return sentence % MOST_LINES
 	var segments: Array[LineSegment] = []
 	for line in lines:
 		var start := Vec2.new(line[0], line[1])
@@ -156,7 +159,7 @@ static func _problem_of_balls(linked: Dictionary) -> String:
 	return _problem_of_starts(starts)
 
 
-# A lost ball is brought back to its start: that must not be lost itself.
+# A lost ball is brought back to its start: a start must not be out of reach itself.
 static func _problem_of_starts(starts: Array[PackedFloat64Array]) -> String:
 	var world := SteppedWorld.new(WholeFrameMover.new())
 	var balls: Array[Ball] = []

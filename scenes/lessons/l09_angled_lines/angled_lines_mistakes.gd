@@ -1,9 +1,9 @@
 class_name AngledLinesMistakes
 extends RefCounted
-## The known mistakes of stepping balls among lines, each as a way of moving that makes it.
+## The known mistakes of stepping balls among lines, each as a mover that makes it.
 
 
-## Mistake 14: whatever overlaps is reflected, even if it moves away already; nothing is put back.
+## Mistake 14: a ball that overlaps is reflected even if it already moves away, and is not put back.
 class AlwaysReflectMover:
 	extends BallMover
 
@@ -16,7 +16,7 @@ class AlwaysReflectMover:
 		return []
 
 
-## Mistake 21: goes through all lines and keeps the last impact instead of the earliest.
+## Mistake 21: of the impacts with all lines, the last in the list is taken, not the earliest.
 class LastHitMover:
 	extends WholeFrameMover
 
@@ -31,7 +31,7 @@ class LastHitMover:
 		return found
 
 
-## Mistake 26: at the bounce the ball has got the gravity of the whole frame already.
+## Mistake 26: the gravity of the whole frame acts before the bounce.
 class FullGravityMover:
 	extends WholeFrameMover
 
@@ -50,11 +50,11 @@ class FullGravityMover:
 		return bounces
 
 
-## Which of the ready-made situations shows a mistake at once, by its number.
-const SCENES: Dictionary[int, int] = {14: 3, 21: 5, 24: 9, 26: 9}
+## The preset that shows a mistake at once, by the number of the mistake.
+const PRESETS: Dictionary[int, int] = {14: 3, 21: 5, 24: 9, 26: 9}
 
 
-## The way of moving that makes the mistake [param number]; the right one for 0.
+## The mover that makes the mistake [param number]; the right one for 0.
 static func mover(number: int) -> BallMover:
 	match number:
 		14:
@@ -68,7 +68,7 @@ static func mover(number: int) -> BallMover:
 	return WholeFrameMover.new()
 
 
-## All of them, as the list shows them.
+## All of them, as the gallery shows them.
 static func all() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(

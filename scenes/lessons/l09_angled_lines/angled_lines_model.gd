@@ -1,76 +1,69 @@
 class_name AngledLinesModel
-extends RefCounted
-## The lesson on angled lines: a world that is stepped, its past, and beside it, where a mistake is
-## switched on, the same world with that mistake.
+extends LessonModel
+## The lesson on angled lines: a world that is stepped, its past, and the same world with a mistake
+## where one is switched on.
 ##
-## What a student enters is refused with one sentence where it cannot be taken; "" means taken.
+## A method that takes what a student enters returns "", or one sentence on why it was refused; then
+## nothing has changed.
 
 ## A frame of the course, in seconds.
 const FRAME := 1.0 / 60.0
-## So many frames are looked ahead.
+## How many frames the forecast looks ahead.
 const FORECAST_FRAMES := 90
-## More lines than this would leave no room on the board.
-const MOST_LINES := 60
-## Gravity that an arrow key gives where there was none, in pixels per second squared.
+## The gravity that an arrow key gives where there was none, in pixels per second squared.
 const USUAL_GRAVITY := 300.0
+# The bouncinesses that a key goes through.
+const _USUAL_BOUNCINESSES: Array[float] = [1.0, 0.8, 0.5, 0.0]
 
-## The world that is right as far as [member method] is.
+## The world without a mistake, as right as [member method] is.
 var world := SteppedWorld.new(WholeFrameMover.new())
 ## The world with the mistake; null while none is switched on.
 var wrong_world: SteppedWorld
 ## How a frame is stepped.
 var method := SteppingMethods.Method.WHOLE_FRAME
-## Number of the mistake that is switched on, 0 for none.
+## The number of the mistake that is switched on; 0 for none.
 var mistake := 0
-## The ready-made situation that was picked last, 0 to 9.
-var scene := 0
-## The ball that can be dragged and typed, by its place.
+## The preset that was picked last, 0 to 9.
+var preset := 0
+## The place of the ball that can be dragged and typed.
 var selected := 0
 ## The latest bounce of the selected ball; null before it.
 var last_bounce: BounceRecord
-## In the event world any moment can be gone to; null in the other ways of stepping.
+## Goes to any moment, in the event world; null in the other ways of stepping.
 var timeline: EventTimeline
 ## What the latest step, forward or back, was refused with; "" if it was not.
 var refusal := ""
+
+# What preset 0 puts up.
+var _first: SteppedWorld
 
 var _history := StepHistory.new()
 var _starts := BallStarts.new()
 var _first_energy := 0.0
 
 
-## The situation on key 0.
-func _init() -> void:
+## Begins with a copy of [param first] as preset 0; without it, with the course's assignment.
+func _init(first: SteppedWorld = AngledLinesPresets.world_of(0)) -> void:
+	_first = first
 	set_up(0)
 
 
-## Puts up one of the ready-made situations, 0 to 9, with the method and mistake as they are.
+## Puts up a preset, 0 to 9. The method and the mistake stay.
 func set_up(number: int) -> void:
-	scene = number
-	selected = 0
-	AngledLinesScenes.set_up(number, world)
-	_starts.take(world)
-	_begin()
+	preset = number
+	put_up(_first if number == 0 else AngledLinesPresets.world_of(number))
 
 
-## Another model, at the start of the situation that was picked last.
-func start_again() -> AngledLinesModel:
-	var fresh := AngledLinesModel.new()
-	fresh.method = method
-	fresh.mistake = mistake
-	fresh.set_up(scene)
-	return fresh
-
-
-## Puts up the situation of [param other], such as that of a question.
-func take(other: SteppedWorld) -> void:
+## Puts up a copy of [param other], such as the world of a question.
+func put_up(other: SteppedWorld) -> void:
 	selected = 0
 	world = other.copy()
 	_starts.take(world)
 	_begin()
 
 
-## Switches to the way of stepping [param new_method]. All mistakes are made in stepping: in the
-## event world none is left.
+## Switches to the way of stepping [param new_method]. The event world makes no mistake: there the
+## mistake is switched off.
 func set_method(new_method: SteppingMethods.Method) -> void:
 	method = new_method
 	if method == SteppingMethods.Method.EVENT_WORLD:
@@ -78,12 +71,12 @@ func set_method(new_method: SteppingMethods.Method) -> void:
 	_begin()
 
 
-## Switches a mistake on, beside the right way, in a situation that shows it; 0 switches it off.
+## Switches a mistake on and puts up a preset that shows it; 0 switches it off.
 func set_mistake(number: int) -> void:
 	mistake = number
 	if number:
 		method = SteppingMethods.Method.WHOLE_FRAME
-		set_up(AngledLinesMistakes.SCENES[number])
+		set_up(AngledLinesMistakes.PRESETS[number])
 	else:
 		_begin()
 
@@ -114,7 +107,7 @@ func step_back() -> bool:
 	return _history.go_back(_worlds())
 
 
-## Goes to a moment of the [member timeline], in seconds since its beginning.
+## Goes to a moment of the [member timeline], in seconds since its start.
 func go_to(seconds: float) -> String:
 	var problem := timeline.go_to(seconds)
 	last_bounce = timeline.last_bounce(selected)
@@ -146,6 +139,12 @@ func point_gravity(direction: Vec2) -> String:
 	return set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
 
 
+## Takes the next of the usual bouncinesses.
+func take_next_bounciness() -> String:
+	var place := _USUAL_BOUNCINESSES.find(world.surroundings.bounciness)
+	return set_bounciness(_USUAL_BOUNCINESSES[(place + 1) % _USUAL_BOUNCINESSES.size()])
+
+
 ## Takes the bounciness C.
 func set_bounciness(bounciness: float) -> String:
 	var problem := world.surroundings.set_bounciness(bounciness)
@@ -156,8 +155,9 @@ func set_bounciness(bounciness: float) -> String:
 
 ## Takes other lines.
 func set_lines(new_lines: Array[LineSegment]) -> String:
-	if new_lines.size() > MOST_LINES:
-		return _translate("There is room for %d lines: delete one first.") % MOST_LINES
+	if new_lines.size() > AngledLinesLink.MOST_LINES:
+		var sentence := tr("There is room for %d lines: delete one first.")
+		return sentence % AngledLinesLink.MOST_LINES
 	var problem := world.surroundings.set_segments(new_lines)
 	if not problem:
 		_begin()
@@ -172,6 +172,11 @@ func lines() -> Array[LineSegment]:
 	return copies
 
 
+## Puts the selected ball elsewhere; its velocity stays.
+func move_ball(position: Vec2) -> String:
+	return change_ball(position, ball().velocity)
+
+
 ## Puts the selected ball elsewhere or gives it another velocity.
 func change_ball(position: Vec2, velocity: Vec2) -> String:
 	var problem := world.change_ball(selected, position, velocity)
@@ -181,7 +186,7 @@ func change_ball(position: Vec2, velocity: Vec2) -> String:
 	return problem
 
 
-## What the selected ball will do in [param of_world] within a second and a half.
+## What the selected ball will do in [param of_world] in the next 1.5 s.
 func forecast(of_world: SteppedWorld) -> BallForecast:
 	return BallForecast.of(of_world, selected, FRAME, FORECAST_FRAMES)
 
@@ -196,13 +201,12 @@ func fetch_balls() -> void:
 	for some in _worlds():
 		_starts.fetch(some)
 	if timeline:
-		timeline = EventTimeline.new(world)
+		timeline = EventTimeline.new(world, FRAME)
 
 
-## All of it, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
-		"scene": scene,
+		"preset": preset,
 		"method": method,
 		"mistake": mistake,
 		"selected": selected,
@@ -211,10 +215,9 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var stored_world: Dictionary = stored["world"]
-	scene = stored["scene"]
+	preset = stored["preset"]
 	var stored_method: int = stored["method"]
 	method = stored_method as SteppingMethods.Method
 	mistake = stored["mistake"]
@@ -224,6 +227,39 @@ func from_dictionary(stored: Dictionary) -> void:
 	var numbers: PackedFloat64Array = stored["first"]
 	_starts.put(numbers)
 	_begin()
+
+
+## The start of the preset that was picked last.
+func reset_state(_first_state: Dictionary) -> Dictionary:
+	return _at_start_of(preset).to_dictionary()
+
+
+func link_state() -> Dictionary:
+	return AngledLinesLink.of_state(to_dictionary())
+
+
+## The start of the preset that [param wanted] names, with the method and the mistake of
+## [param first].
+func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
+	var named: int = wanted["scene"]
+	var place := clampi(named, 0, AngledLinesPresets.TITLES.size() - 1)
+	return _at_start_of(place).link_state().merged(AngledLinesLink.picked_in(first), true)
+
+
+func problem_in(stored: Dictionary) -> String:
+	return AngledLinesLink.problem_in(stored)
+
+
+func state_of_link(linked: Dictionary) -> Dictionary:
+	return AngledLinesLink.to_state(linked)
+
+
+func _at_start_of(wanted_preset: int) -> AngledLinesModel:
+	var fresh := AngledLinesModel.new(_first)
+	fresh.method = method
+	fresh.mistake = mistake
+	fresh.set_up(wanted_preset)
+	return fresh
 
 
 # From here on energy is compared and the past is counted.
@@ -238,7 +274,7 @@ func _begin() -> void:
 	_first_energy = world.energy()
 	timeline = null
 	if method == SteppingMethods.Method.EVENT_WORLD:
-		timeline = EventTimeline.new(world)
+		timeline = EventTimeline.new(world, FRAME)
 
 
 func _worlds() -> Array[SteppedWorld]:
@@ -246,7 +282,3 @@ func _worlds() -> Array[SteppedWorld]:
 	if wrong_world:
 		worlds.append(wrong_world)
 	return worlds
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -1,21 +1,23 @@
 class_name AngledLinesPlayer
 extends Node
-## The time of the lesson on angled lines: whole frames of 1/60 s, forward and back, however long
-## the screen's own frames are.
+## The time of the lesson on angled lines: whole frames of 1/60 s, forward and back, whatever the
+## length of the screen's own frames.
 
 ## The model has made a frame, or gone one back.
 signal stepped(is_forward: bool)
-## All frames that belong to one frame of the screen have been made.
-signal advanced
-## Playing has begun or ended.
-signal turned
+## All frames that belong to one frame of the screen are made; or playing has begun or ended.
+signal changed
+## A frame of the screen has passed in which time stood still.
+signal rested
+## The meter has a new result.
+signal measured
 ## A ball could not be moved to the end of the frame; the sentence says why.
 signal refused(problem: String)
 
-# More frames than this are not made at once: on a slow machine time rather runs slower.
+# At most this many frames are made at once: on a slow machine time runs slower.
 const _MOST_AT_ONCE := 4
 
-## What the script takes of a frame.
+## Measures how much of a frame's time the script takes.
 var meter := FrameMeter.new()
 
 var _model: AngledLinesModel
@@ -45,14 +47,21 @@ func pause() -> void:
 func step(is_forward: bool) -> void:
 	pause()
 	_step(is_forward)
-	advanced.emit()
+	changed.emit()
 
 
 func _process(_delta: float) -> void:
+	# Before start() of the lesson.
+	if not _transport:
+		return
 	if _was_playing != is_playing():
 		_was_playing = is_playing()
 		_seconds = 0.0
-		turned.emit()
+		changed.emit()
+	if not is_playing():
+		rested.emit()
+	if meter.end_frame():
+		measured.emit()
 
 
 func _advance(seconds: float) -> void:
@@ -61,11 +70,11 @@ func _advance(seconds: float) -> void:
 		return
 	meter.start()
 	_seconds = minf(_seconds + seconds, _MOST_AT_ONCE * AngledLinesModel.FRAME)
-	# A hair less than a frame is one: the screen's frames are not exact.
+	# A hair less than a frame counts as one: the screen's frames are not exact.
 	while _seconds > 0.999 * AngledLinesModel.FRAME:
 		_seconds -= AngledLinesModel.FRAME
 		_step(true)
-	advanced.emit()
+	changed.emit()
 	meter.stop()
 
 

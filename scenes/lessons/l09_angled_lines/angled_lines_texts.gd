@@ -1,6 +1,6 @@
 class_name AngledLinesTexts
 extends RefCounted
-## The words and formula lines of the lesson on angled lines.
+## The words of the lesson on angled lines.
 
 
 ## The ways of stepping, in the order of [enum SteppingMethods.Method].
@@ -13,7 +13,7 @@ static func methods() -> PackedStringArray:
 	]
 
 
-## The headings of the comparison after so many frames.
+## The headings of the comparison after [param frames] frames.
 static func headings(frames: int) -> PackedStringArray:
 	var seconds := roundi(frames * AngledLinesModel.FRAME)
 	return [
@@ -24,9 +24,9 @@ static func headings(frames: int) -> PackedStringArray:
 	]
 
 
-## A row of the comparison: what is left of the energy in one way of stepping, how far that is from
-## right, and what a frame costs. With C below 1 energy is to be lost, so there is no error to tell.
-## Where a ball bounced too often to be moved on, the row says so.
+## A row of the comparison: the energy that is left in one way of stepping, its error, and the run
+## time of a frame. With C below 1 energy must be lost, and so there is no error to show. Where a
+## ball bounced too often to be moved on, the row says so.
 static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
@@ -53,25 +53,13 @@ static func _row_title(method: SteppingMethods.Method) -> String:
 	return _translate("event world")
 
 
-## The formula lines; [param has_bounce] where there is a bounce to show.
-static func formula_lines(has_bounce: bool) -> PackedStringArray:
-	var lines: PackedStringArray = [
-		"{g} = ( {gx} , {gy} )    C = {C}",
-		"{x} = ( {px} , {py} )   {v} = ( {vx} , {vy} )",
-	]
-	if has_bounce:
-		lines.append("{w} = {v} − (1 + C) ({v} · {n}) {n} = {w_pair}")
-		lines.append("   = {v_pair} − {factor} · {vn} {n_pair}")
-	return lines
-
-
-## What stands at the point of impact.
+## The note at the point of impact.
 static func impact_label(bounce: BounceRecord) -> String:
 	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
-## What the status card says: time, bounces, lost balls, energy, and the script's share of a frame
-## of 1/60 s.
+## The lines of the status card: time, bounces, lost balls, energy, and the script's share of a
+## frame of 1/60 s.
 static func status(model: AngledLinesModel, milliseconds: float) -> String:
 	var world := model.world
 	var counters := [world.frames, model.elapsed_seconds(), world.bounces, world.losses]

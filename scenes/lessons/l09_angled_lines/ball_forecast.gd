@@ -1,18 +1,18 @@
 class_name BallForecast
 extends RefCounted
-## What one ball will do in the next moments: worked out by stepping a copy of its world.
+## What one ball will do next, found by stepping a copy of its world.
 
-# Further bounces would only make a tangle.
+# The path ends here: with more bounces it would be a tangle.
 const _MOST_BOUNCES := 2
 
-## The centre's places, frame by frame, with the points of impact between them.
+## The places of the centre, frame by frame, with the points of impact between them.
 var path: Array[Vec2] = []
 ## The first bounce to come; null if there is none within the time looked at.
 var next_bounce: BounceRecord
 
 
-## Looks [param frames] frames of [param seconds] ahead for the ball at the place [param index];
-## less far where it bounces twice before that, or where its world refuses to go on.
+## Looks [param frames] frames of [param seconds] ahead for the ball at the place [param index], or
+## until it has bounced twice or its world refuses to go on.
 static func of(world: SteppedWorld, index: int, seconds: float, frames: int) -> BallForecast:
 	var forecast := BallForecast.new()
 	var copy := world.copy(index)

@@ -1,6 +1,6 @@
 class_name BallStarts
 extends RefCounted
-## Where each ball began, and how fast: to there a lost one is brought back.
+## The place and velocity of each ball at the start: a lost ball is brought back there.
 
 var _balls: Array[Ball] = []
 
@@ -17,14 +17,14 @@ func change(index: int, ball: Ball) -> void:
 	_balls[index] = ball.copy()
 
 
-## Brings every lost ball of [param world] back to where it began.
+## Brings every lost ball of [param world] back to its start.
 func fetch(world: SteppedWorld) -> void:
 	for i in world.balls.size():
 		if world.is_lost[i]:
 			world.bring_back(i, _balls[i])
 
 
-## Place and velocity of each, for undo and links.
+## The place and velocity of each, for undo and links.
 func numbers() -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	for ball in _balls:
@@ -32,7 +32,7 @@ func numbers() -> PackedFloat64Array:
 	return found
 
 
-## Puts back what [method numbers] has told.
+## Puts back what [method numbers] returned.
 func put(numbers_told: PackedFloat64Array) -> void:
 	for i in _balls.size():
 		_balls[i].position.set_xy(numbers_told[4 * i], numbers_told[4 * i + 1])

@@ -4,24 +4,25 @@ extends BoardPart
 ## The paths that the balls of a world have taken, frame by frame and through every point of impact;
 ## forgets the latest frame when time goes back.
 
-# Frames of all balls together that are drawn at most; a single ball keeps a shorter trail still.
+# At most this many frames are drawn, of all balls together.
 const _MOST_FRAMES := 1500
+# At most this many frames are kept to go back.
 const _LONGEST := 1800
 
-# More trails than this are drawn as hairlines, with a stroke for every second frame: so many cross
-# each other anyway.
+# More trails than this are drawn as hairlines, with one stroke for two frames: they cross each
+# other so often that nobody sees the difference.
 const _MOST_BROAD := 20
-# From the end of a trail to where it cannot be seen any more, in pixels of the plane.
+# From the end of a trail to a point where the line has faded out, in pixels of the plane.
 const _SEAM := Vector2(0.01, 0.0)
 
 ## Colour of the lines.
 @export var role := Palette.Role.A
 
-# For each ball the strokes of its path, as start and end of each.
+# The strokes of each ball's path: the start and the end of each stroke.
 var _trails: Array[PackedVector2Array] = []
-# How many strokes each ball got in each frame, the latest last.
+# How many strokes each ball got in each frame; the latest frame is last.
 var _counts: Array[PackedInt32Array] = []
-# The next frame gets strokes of its own; else it makes the latest ones longer.
+# Whether the next frame gets strokes of its own, or makes the latest ones longer.
 var _is_new_stroke := true
 
 
@@ -56,7 +57,7 @@ func add_frame(world: SteppedWorld) -> void:
 	queue_redraw()
 
 
-## Takes the latest frame away again; [param world] is back where it was before it.
+## Takes the latest frame away; [param world] is as it was before that frame.
 func remove_frame(world: SteppedWorld) -> void:
 	if _counts.is_empty():
 		return
@@ -98,12 +99,12 @@ func _shorten() -> void:
 	if _counts.size() > _LONGEST:
 		_counts.pop_front()
 	for i in _trails.size():
-		# Cut rarely and much: cutting moves the whole array.
+		# Cut seldom and a lot: each cut copies the array.
 		if _trails[i].size() > 2.5 * longest:
 			_trails[i] = _trails[i].slice(_trails[i].size() - 2 * longest)
 
 
-# All trails are drawn with one call, because each call of its own costs as much as a long trail.
+# All trails are drawn with one call, because a call costs as much as a long trail.
 func _draw() -> void:
 	var scale_now := board.pixels_per_unit
 	draw_set_transform(board.to_screen(Vec2.new()), 0.0, Vector2(scale_now, scale_now))
@@ -121,7 +122,7 @@ func _draw_hairlines() -> void:
 	draw_multiline(strokes, _color())
 
 
-# One line through all places: from the end of a trail to the start of the next it cannot be seen.
+# One line through all places. From the end of a trail to the start of the next it is invisible.
 func _draw_broad(width: float) -> void:
 	var places: PackedVector2Array = []
 	var seams: PackedInt32Array = []

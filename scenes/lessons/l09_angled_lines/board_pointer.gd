@@ -11,9 +11,9 @@ signal line_drawn(line: LineSegment)
 ## The ball was let go.
 signal ball_released
 
-# A touch this close to a ball's edge counts, in pixels of the screen.
+# A touch this close to a ball's edge takes hold of it, in pixels of the screen.
 const _REACH := 14.0
-# A line shorter than this, in pixels of the screen, was only a click.
+# A shorter line, in pixels of the screen, was meant as a click.
 const _SHORTEST := 16.0
 
 var _board: Board
@@ -28,16 +28,21 @@ var _end := Vec2.new()
 
 func _ready() -> void:
 	_board = get_parent() as Board
-	_arrow.visible = false
 
 
-## The pointer is at [param at]: pressed there, or dragged so far.
-func point(at: Vec2, model: AngledLinesModel) -> void:
+## From now on follows the pointer on the board, and takes hold of the balls of [param model].
+func follow(model: AngledLinesModel) -> void:
+	_board.pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _point(at, model))
+	_board.released.connect(_release)
+
+
+# The pointer is at `at`: pressed there, or dragged to there.
+func _point(at: Vec2, model: AngledLinesModel) -> void:
 	if _is_pressed:
 		_drag_to(at)
 		return
 	_is_pressed = true
-	# The course's keys work again after a click on the board.
+	# A click on the board gives the keys back to the lesson.
 	get_viewport().gui_release_focus()
 	var index := model.world.ball_at(at, _REACH / _board.pixels_per_unit)
 	_has_ball = index >= 0
@@ -48,8 +53,7 @@ func point(at: Vec2, model: AngledLinesModel) -> void:
 		ball_taken.emit(index)
 
 
-## The pointer was let go.
-func release() -> void:
+func _release() -> void:
 	_is_pressed = false
 	_arrow.visible = false
 	if _has_ball:

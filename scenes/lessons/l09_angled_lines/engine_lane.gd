@@ -2,13 +2,13 @@
 class_name EngineLane
 extends BoardPart
 ## Godot's own body on the same shot as the selected ball: a ghost with its path, and the place
-## where it parts. There is no such body while this is switched off.
+## where it parts from the ball. There is no such body while this is switched off, as at the start.
 
-# Pixels of the plane that count as parted.
+# From this distance on, in pixels of the plane, the body has parted from the ball.
 const _PARTED := 1.0
 const _ROLE := Palette.Role.REST
 const _LONGEST := 1800
-# Two texts whose middles are closer than this would lie on one another, in pixels of the screen.
+# Two texts whose middles are closer than this would overlap, in pixels of the screen.
 const _TEXT_SIZE := Vector2(170.0, 20.0)
 
 var _shot: EngineShot
@@ -17,14 +17,14 @@ var _first_seconds := 0.0
 var _place: Vec2
 var _gap := 0.0
 var _path: Array[Vec2] = []
-# Where the body was, and the seconds since its start, when it was first seen apart; null before.
+# The place of the body and the seconds since its start when it was first seen apart; null before.
 var _parting: Vec2
 var _parting_seconds := 0.0
 
 
 func _exit_tree() -> void:
 	super()
-	switch_off()
+	_switch_off()
 
 
 ## Whether the body is there.
@@ -37,9 +37,16 @@ func gap() -> float:
 	return _gap
 
 
-## Lets the body start where the selected ball of [param model] is now.
-func begin(model: AngledLinesModel) -> void:
-	switch_off()
+## Lets the body start where the selected ball of [param model] is now, or takes it away.
+func switch(on: bool, model: AngledLinesModel) -> void:
+	if on:
+		_begin(model)
+	else:
+		_switch_off()
+
+
+func _begin(model: AngledLinesModel) -> void:
+	_switch_off()
 	_shot = EngineShot.new(self, model.ball(), model.world.surroundings)
 	_radius = model.ball().radius
 	_first_seconds = model.elapsed_seconds()
@@ -51,11 +58,10 @@ func begin(model: AngledLinesModel) -> void:
 ## Lets the body start anew where it is switched on: the shot has changed.
 func begin_anew(model: AngledLinesModel) -> void:
 	if is_on():
-		begin(model)
+		_begin(model)
 
 
-## Takes the body away.
-func switch_off() -> void:
+func _switch_off() -> void:
 	if is_on():
 		_shot.finish()
 		_shot = null
@@ -76,7 +82,7 @@ func show_moment(model: AngledLinesModel) -> void:
 	queue_redraw()
 
 
-# The path until now, through all frames, however time has got here.
+# The path from the start until now, frame by frame, even if time has jumped.
 func _follow(seconds: float) -> void:
 	var frames := mini(floori(seconds / AngledLinesModel.FRAME + 1e-6) + 1, _LONGEST)
 	while _path.size() < frames:

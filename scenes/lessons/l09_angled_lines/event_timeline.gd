@@ -1,25 +1,26 @@
 class_name EventTimeline
 extends RefCounted
-## The balls of the lesson in event worlds, so that any moment can be gone to, back and forth: what
-## is to come is known, and what has been is found again from a moment that is kept for each
-## stretch of time shown.
+## The balls of the lesson in event worlds: they can be brought to any moment, back and forth. Event
+## worlds predict what is to come; what has been is computed again from a snapshot, one for each
+## [constant SPAN] seconds.
 ##
 ## Each ball has a world of its own, because in this lesson balls do not touch each other. Times are
-## in seconds since the timeline was begun.
+## in seconds since the start of the timeline.
 
-## So many seconds are looked ahead, and are shown.
+## How many seconds are predicted, and shown.
 const SPAN := 10.0
-# Seconds by which two moments must differ to be two.
+# Moments that differ by less than this are the same, in seconds.
 const _NOTHING := 1e-9
 
 ## The moment at which the balls are.
 var time := 0.0
 
 var _world: SteppedWorld
-# null for a ball that was lost when the timeline began.
+# One for each ball; null where it was lost at the start of the timeline.
 var _worlds: Array[EventWorld] = []
-# For each ball, what it was like at the beginning of each stretch of SPAN seconds.
+# The snapshots of each ball, one for the beginning of each SPAN seconds.
 var _snapshots: Array[Array] = []
+var _frame := 0.0
 var _first_frames := 0
 var _first_bounces := 0
 var _forecast: EventWorld
@@ -27,9 +28,11 @@ var _forecast_index := -1
 var _impacts: Array[WorldEvent] = []
 
 
-## The timeline of the balls of [param world] from now on; it moves them.
-func _init(world: SteppedWorld) -> void:
+## The timeline of the balls of [param world] from now on, which it moves. A frame of the course
+## lasts [param frame_seconds].
+func _init(world: SteppedWorld, frame_seconds: float) -> void:
 	_world = world
+	_frame = frame_seconds
 	_first_frames = world.frames
 	_first_bounces = world.bounces
 	for i in world.balls.size():
@@ -42,7 +45,7 @@ func _init(world: SteppedWorld) -> void:
 		_worlds.append(made)
 
 
-## Goes to a moment, at 0 or later. "" or one sentence: then a ball bounces too often to go there.
+## Goes to a moment, at 0 or later. "" or one sentence, if a ball bounces too often to get there.
 func go_to(seconds: float) -> String:
 	var problem := ""
 	_world.latest_bounces.clear()
@@ -53,17 +56,17 @@ func go_to(seconds: float) -> String:
 			problem = problem if problem else refused
 			_show(i)
 	time = seconds
-	_world.frames = _first_frames + floori(time / AngledLinesModel.FRAME + _NOTHING)
+	_world.frames = _first_frames + floori(time / _frame + _NOTHING)
 	return problem
 
 
-## Seconds that have passed in the world, with those before the timeline was begun.
+## Seconds that have passed in the world, including those before the start of the timeline.
 func elapsed_seconds() -> float:
-	return _first_frames * AngledLinesModel.FRAME + time
+	return _first_frames * _frame + time
 
 
-## The impacts of a ball from the beginning until [param seconds], and those known beyond. They end
-## where the ball bounces too often for [method go_to].
+## The impacts of a ball from the start until [param seconds], and the later ones that are known.
+## They end where the ball bounces too often for [method go_to].
 func impacts(index: int, seconds: float) -> Array[WorldEvent]:
 	if index != _forecast_index:
 		_forecast_index = index
@@ -91,7 +94,7 @@ func impact_time(index: int, direction: int) -> float:
 	return found
 
 
-## The latest bounce of the ball until now, as a lesson shows it; null before the first.
+## The latest bounce of the ball until now; null before the first.
 func last_bounce(index: int) -> BounceRecord:
 	var latest: WorldEvent = null
 	for event in impacts(index, time):
@@ -100,7 +103,7 @@ func last_bounce(index: int) -> BounceRecord:
 	return _record(latest, index) if latest else null
 
 
-## When the stretch begins that is shown: it holds now and is [constant SPAN] long.
+## The beginning of the [constant SPAN] seconds that are shown; now is among them.
 func page_start() -> float:
 	return floorf(time / SPAN + _NOTHING) * SPAN
 
@@ -132,11 +135,11 @@ func _show(index: int) -> void:
 			_world.latest_bounces.append(_record(event, index))
 
 
-# The share of its frame is taken as a frame of the course would have it.
+# The bounce is given as a share of a frame of the course.
 func _record(event: WorldEvent, index: int) -> BounceRecord:
-	var frame_start := floorf(event.time / AngledLinesModel.FRAME) * AngledLinesModel.FRAME
+	var frame_start := floorf(event.time / _frame) * _frame
 	var radius := _world.balls[index].radius
-	var record := EventMover.record_of(event, radius, frame_start, AngledLinesModel.FRAME)
+	var record := EventMover.record_of(event, radius, frame_start, _frame)
 	record.ball_index = index
 	return record
 

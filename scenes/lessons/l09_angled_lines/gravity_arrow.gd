@@ -1,5 +1,6 @@
+@tool
 class_name GravityArrow
-extends Node2D
+extends Arrow
 ## Gravity as an arrow in the corner of the board, whose head can be dragged in any direction.
 
 ## Asks for this gravity, in pixels per second squared. Comes many times during a drag.
@@ -12,35 +13,63 @@ const _SCALE := 0.1
 # From the corner of the board to the tail, in pixels of the screen.
 const _PLACE := Vector2(56.0, 130.0)
 
-var _board: Board
-var _tail := Vec2.new()
+## Gravity, in pixels per second squared, y downwards. 32 bits; [method show_gravity] keeps all
+## digits.
+@export var gravity := Vector2.ZERO:
+	get:
+		return _gravity.to_vector2()
+	set(value):
+		show_gravity(Vec2.from_vector2(value))
+
 var _gravity := Vec2.new()
 
-@onready var _arrow: Arrow = $Arrow
-@onready var _head: Handle = $Head
+@onready var _handle: Handle = $Head
 
 
 func _ready() -> void:
-	_board = _arrow.board
-	_board.view_changed.connect(_lay)
-	_head.moved.connect(_turn_to)
-	_head.released.connect(released.emit)
-	_head.title = tr("Head of gravity g")
+	if not board:
+		return
+	board.view_changed.connect(_place)
+	_handle.moved.connect(_turn_to)
+	_handle.released.connect(released.emit)
+	_handle.title = tr("Head of gravity g")
+	_place()
 
 
 ## Shows this gravity; emits nothing.
-func show_gravity(gravity: Vec2) -> void:
-	_gravity = gravity.copy()
-	_lay()
+func show_gravity(pull_wanted: Vec2) -> void:
+	_gravity = pull_wanted.copy()
+	if is_node_ready() and board:
+		_place()
 
 
-# The tail lies where lines of the snapping grid cross, so that gravity can be straight.
-func _lay() -> void:
-	_tail = _board.snapped_to_step(_board.to_plane(_PLACE))
-	var head := _tail.plus(_gravity.scaled(_SCALE))
-	_arrow.lay(_tail, head)
-	_head.place(head)
+## The gravity that is shown, in pixels per second squared.
+func pull() -> Vec2:
+	return _gravity.copy()
 
 
-func _turn_to(head: Vec2) -> void:
-	turned.emit(head.minus(_tail).divided(_SCALE))
+# The view says where this arrow is, and so the arrow must not change the view.
+func show_change() -> void:
+	queue_redraw()
+
+
+func spanned_points() -> Array[Vec2]:
+	return []
+
+
+# Tail and head come from the view and from gravity.
+func _validate_property(property: Dictionary) -> void:
+	if property["name"] in [&"tail", &"head"]:
+		property["usage"] = PROPERTY_USAGE_NONE
+
+
+# The tail is at a point to which handles snap, so that gravity can be straight.
+func _place() -> void:
+	var corner := board.snapped_to_step(board.to_plane(_PLACE))
+	var tip := corner.plus(_gravity.scaled(_SCALE))
+	lay(corner, tip)
+	_handle.place(tip)
+
+
+func _turn_to(to: Vec2) -> void:
+	turned.emit(to.minus(_tail).divided(_SCALE))

@@ -1,7 +1,8 @@
+@tool
 class_name LineViews
 extends Node2D
-## The lines of the lesson: each can be dragged as a whole or by an end; one with the focus has a
-## button that deletes it.
+## The lines of the lesson: each can be dragged as a whole or by an end. Beside the one with the
+## focus is a button that deletes it.
 
 ## These should be the lines. Comes many times during a drag.
 signal changed(lines: Array[LineSegment])
@@ -9,10 +10,18 @@ signal changed(lines: Array[LineSegment])
 signal released
 
 const _SEGMENT := preload("res://scenes/widgets/board/draggable_segment.tscn")
-# Both ends look the same, and small: there are many.
+# Both ends look the same and are small: there are many, in pixels.
 const _DOT_RADIUS := 5.0
 # From the middle of a line to its button, in pixels of the screen.
 const _BESIDE := 40.0
+
+## The lines at the start: both ends of the first one, of the second one, and so on, in units of the
+## plane.
+@export var ends: PackedVector2Array:
+	set(value):
+		ends = value
+		if is_node_ready():
+			show_lines(_pairs_of_ends())
 
 var _views: Array[DraggableVector] = []
 var _lines: Array[LineSegment] = []
@@ -23,6 +32,10 @@ var _board: Board
 
 func _ready() -> void:
 	_board = get_parent() as Board
+	show_lines(_pairs_of_ends())
+	if Engine.is_editor_hint():
+		set_process(false)
+		return
 	_board.view_changed.connect(_place_button)
 	_delete.pressed.connect(delete_focused)
 
@@ -30,6 +43,13 @@ func _ready() -> void:
 func _process(_delta: float) -> void:
 	if _delete.visible != (focused() >= 0):
 		_place_button()
+
+
+## The lines of [member ends]; an end without a partner is pushed as an error.
+func lines_at_start() -> Array[LineSegment]:
+	if ends.size() % 2 == 1:
+		push_error("Lines have two ends each: there cannot be %d ends." % ends.size())
+	return _pairs_of_ends()
 
 
 ## Shows these lines; emits nothing.
@@ -71,10 +91,19 @@ func add_line(line: LineSegment) -> void:
 	released.emit()
 
 
+func _pairs_of_ends() -> Array[LineSegment]:
+	var found: Array[LineSegment] = []
+	for i in range(0, ends.size() - 1, 2):
+		var start := Vec2.from_vector2(ends[i])
+		found.append(LineSegment.new(start, Vec2.from_vector2(ends[i + 1])))
+	return found
+
+
 func _add_view() -> void:
 	var view := _SEGMENT.instantiate() as DraggableVector
 	var index := _views.size()
 	view.label = str(index + 1)
+	# Without an owner: the editor does not save what it shows of the start.
 	add_child(view)
 	view.show_label(false)
 	for child in view.get_children():
@@ -92,6 +121,9 @@ func _move(start: Vec2, end: Vec2, index: int) -> void:
 
 
 func _place_button() -> void:
+	# The editor would save what is set below.
+	if Engine.is_editor_hint():
+		return
 	var index := focused()
 	_delete.visible = index >= 0 and index < _lines.size()
 	if not _delete.visible:

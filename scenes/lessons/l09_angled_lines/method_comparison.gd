@@ -1,7 +1,7 @@
 class_name MethodComparison
 extends RefCounted
-## The same situation stepped in each of the four ways for a minute: what becomes of its energy,
-## and what a frame costs. Runs in small slices, so that nothing stutters.
+## The same world stepped in each of the four ways for a minute: what becomes of its energy, and the
+## run time of a frame. It is done in small slices, so that the window stays alive.
 
 ## Frames that are compared: 60 seconds.
 const FRAMES := 3600
@@ -35,7 +35,7 @@ func advance(microseconds: int, seconds: float) -> bool:
 	return _worlds[-1].frames < FRAMES
 
 
-## Frames that each way has made so far.
+## How many frames each way has made so far.
 func frames() -> int:
 	return _worlds[-1].frames
 
@@ -50,7 +50,7 @@ func lost_count(method: SteppingMethods.Method) -> int:
 	return _worlds[method].lost_count()
 
 
-## Whether the energy ought to stay: nothing is lost in a bounce.
+## Whether the energy should stay the same: a bounce loses none.
 func keeps_energy() -> bool:
 	return _worlds[0].surroundings.bounciness == 1.0
 

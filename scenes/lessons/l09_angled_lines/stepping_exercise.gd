@@ -1,12 +1,12 @@
 class_name SteppingExercise
 extends Exercise
 ## Asks what happens within one frame, with fresh whole numbers: which impact counts, what is left
-## of the frame, when to reflect, how much gravity comes before the bounce.
+## of the frame, when to reflect, how much gravity acts before the bounce.
 
 ## What is asked for.
 enum Kind { EARLIEST, REST, MOVING_AWAY, GRAVITY }
 
-# Unit normals with short decimals: thirds of a 3-4-5 triangle and quarter turns.
+# Five times unit normals with short decimals: from the triangle 3, 4, 5, and along the axes.
 const _NORMALS: Array[Vector2i] = [
 	Vector2i(3, 4), Vector2i(4, 3), Vector2i(-3, 4), Vector2i(4, -3), Vector2i(0, 5), Vector2i(5, 0)
 ]
@@ -14,7 +14,7 @@ const _NORMALS: Array[Vector2i] = [
 const _RADIUS := 12.0
 const _HALF_LINE := 90.0
 
-## The situation that is asked about, to be shown on the board.
+## The world that the question is about, to be shown on the board.
 var world := SteppedWorld.new(WholeFrameMover.new())
 
 
@@ -131,7 +131,7 @@ func _ask_gravity(rng: RandomNumberGenerator) -> void:
 	add_mistake([-before], tr("That is just after the bounce."))
 
 
-# The ball, and lines with the normal `normal` that it touches with its centre at `contacts`.
+# Puts up the ball, and lines with this normal which it touches when its centre is at `contacts`.
 func _show(ball: Ball, contacts: Array[Vec2], normal: Vec2) -> void:
 	var lines: Array[LineSegment] = []
 	var half := normal.normal().scaled(_HALF_LINE)

@@ -1,9 +1,9 @@
 class_name TimelineBar
 extends Control
-## The seconds that a timeline knows, with its impacts as diamonds and the moment that is now: it
-## can be dragged along, or moved with the arrow keys.
+## The seconds of a timeline, with its impacts as diamonds and a mark at the present moment, which
+## can be dragged or moved with the arrow keys.
 
-## The student wants to be at this moment, in seconds since the timeline's beginning.
+## The student wants to go to this moment, in seconds since the start of the timeline.
 signal moment_wanted(seconds: float)
 
 # Seconds that an arrow key moves by.
@@ -104,7 +104,7 @@ func _gui_input(event: InputEvent) -> void:
 		_want(_from)
 
 
-# A drag stays within what is shown: the page turns by playing on, or with the arrow keys.
+# A drag stays within the seconds that are shown. Playing on or the arrow keys turn the page.
 func _want_pixel(pixel: float) -> void:
 	var share := clampf((pixel - _MARGIN) / (size.x - 2.0 * _MARGIN), 0.0, 0.9999)
 	moment_wanted.emit(_from + share * EventTimeline.SPAN)

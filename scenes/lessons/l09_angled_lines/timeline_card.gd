@@ -1,9 +1,9 @@
 class_name TimelineCard
 extends PanelContainer
-## The timeline of the event world on the board, with buttons to the impact before and the next one.
-## It is there only while the balls are moved by event worlds.
+## The timeline of the event world on the board, with buttons for the previous and the next impact.
+## It is visible only while event worlds move the balls.
 
-## The student has gone to another moment; [param problem] says why it could not be reached, or "".
+## The student has gone to another moment; [param problem] is "", or says why it was not reached.
 signal moved(problem: String)
 
 var _model: AngledLinesModel
@@ -25,8 +25,8 @@ func show_model(model: AngledLinesModel) -> void:
 		_bar.show_timeline(model.timeline, model.selected)
 
 
-## Goes to the next impact of the selected ball (1), or to the one before (-1); stays where none is
-## known, and where there is no timeline.
+## Goes to the next impact of the selected ball (1) or to the one before (-1). Stays where no impact
+## is known or where there is no timeline.
 func go_to_impact(direction: int) -> void:
 	if visible:
 		var moment := _model.timeline.impact_time(_model.selected, direction)

@@ -1,24 +1,25 @@
 class_name BallFlight
 extends RefCounted
-## The way of a ball through one frame with at most one elastic bounce, in closed form: any fraction
-## of the frame can be asked for, in any order.
+## The path of a ball in one frame with at most one elastic bounce, in closed form: its place can be
+## asked for after any fraction of the frame, in any order.
 
 ## The centre at the beginning of the frame.
 var start: Vec2
-## The way of the whole frame, before the bounce.
+## The motion of the whole frame, before the bounce.
 var motion: Vec2
-## Where and when it bounces.
+## The bounce, or a miss.
 var impact: Impact
 
 
-## A flight from [param from] by [param by] that bounces as [param with] says, if that is a hit.
+## A flight from [param from] by [param by] that bounces at [param with], if that is a hit.
 func _init(from: Vec2, by: Vec2, with: Impact) -> void:
 	start = from.copy()
 	motion = by.copy()
 	impact = with
 
 
-## The motion per frame after the bounce; as before where there is none, or no normal for it.
+## The motion per frame after the bounce; the same as before where there is no bounce, or a bounce
+## without a normal of length 1.
 func motion_after() -> Vec2:
 	var has_normal := impact.hit and absf(impact.normal.length() - 1.0) < 1e-9
 	return motion.reflected(impact.normal) if has_normal else motion.copy()
@@ -31,7 +32,7 @@ func position_at(fraction: float) -> Vec2:
 	return impact.position.plus(motion_after().scaled(fraction - impact.fraction))
 
 
-## The corners of the way from the beginning of the frame to [param fraction] of it.
+## The corners of the path from the beginning of the frame to [param fraction] of it.
 func corners(fraction: float) -> Array[Vec2]:
 	var found: Array[Vec2] = [start]
 	if impact.hit and fraction > impact.fraction:
@@ -40,6 +41,6 @@ func corners(fraction: float) -> Array[Vec2]:
 	return found
 
 
-## False for a flight that a mistake has spoiled: its bounce has no place.
+## False where a mistake has led to a bounce at a place that is not finite.
 func is_finite() -> bool:
 	return not impact.hit or impact.position.is_finite()

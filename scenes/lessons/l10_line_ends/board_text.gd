@@ -3,7 +3,7 @@ class_name BoardText
 extends BoardPart
 ## A short name beside a point of the board.
 
-## What is written: the same in every language.
+## The text; the same in every language.
 @export var text := ""
 ## Colour of the text.
 @export var role := Palette.Role.INK

@@ -1,12 +1,12 @@
 class_name CapEquation
 extends RefCounted
-## The quadratic a t² + b t + c = 0 whose roots are the fractions of the frame at which a ball is
-## one radius away from a point, with all its parts for the formula lines. [CapImpact] computes the
-## same in one go.
+## The quadratic a t² + b t + c = 0 whose roots are the fractions of the frame at which a ball's
+## centre is its radius away from a point, with all its parts for the formula lines. [CapImpact]
+## computes the fraction without them.
 
 ## From the point to the ball's centre at the beginning of the frame, in pixels.
 var difference: Vec2
-## The way of the whole frame, in pixels.
+## The motion of the whole frame, in pixels.
 var motion: Vec2
 ## The ball's radius, in pixels.
 var radius: float
@@ -28,22 +28,23 @@ func _init(from: Vec2, by: Vec2, with_radius: float, point: Vec2) -> void:
 	c = difference.dot(difference) - radius * radius
 
 
-## b² - 4 a c: below 0 the ball passes the point by, at 0 it grazes it.
+## b² - 4 a c: below 0 the ball misses the point, at 0 it grazes it.
 func discriminant() -> float:
 	return b * b - 4.0 * a * c
 
 
-## Whether the distance is ever the radius, before, in or after the frame.
+## Whether the distance is ever the radius, be it before, in or after the frame.
 func has_roots() -> bool:
 	return a > 0.0 and discriminant() >= 0.0
 
 
-## The fraction of the frame at which the ball comes to the point; only with [method has_roots].
+## The fraction of the frame at which the ball first touches the point; only with
+## [method has_roots].
 func first_root() -> float:
 	return (-b - sqrt(discriminant())) / (2.0 * a)
 
 
-## The fraction of the frame at which the ball would leave the point again; only with
+## The fraction of the frame at which the ball, if it flew on, would leave the point; only with
 ## [method has_roots].
 func second_root() -> float:
 	return (-b + sqrt(discriminant())) / (2.0 * a)

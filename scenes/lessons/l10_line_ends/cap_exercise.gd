@@ -3,7 +3,7 @@ extends Exercise
 ## Asks about a ball that meets the end of a line, with fresh whole numbers: the discriminant, the
 ## fraction of the frame before the impact, or the normal.
 ##
-## The place of the touch is made from a Pythagorean triple, so that the root comes out whole.
+## The ball touches at a Pythagorean triple from the end, so that the root is a whole number.
 
 ## What is asked for.
 enum Kind { FRACTION, DISCRIMINANT, NORMAL }
@@ -19,7 +19,7 @@ var difference: Vec2
 var motion: Vec2
 ## The ball's radius.
 var radius: float
-## The quadratic for the end.
+## The quadratic for the end and the ball.
 var equation: CapEquation
 
 
@@ -46,7 +46,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	var touch := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var fraction := _FRACTIONS[rng.randi_range(0, _FRACTIONS.size() - 1)]
 	var by := Vec2.new(4 * rng.randi_range(-3, 3), 4 * rng.randi_range(-3, 3))
-	# A motion that does not come closer to the end is drawn again, as this one would not touch it.
+	# A motion that does not approach the end would not touch it: draw another.
 	while by.dot(touch) >= 0.0:
 		by = Vec2.new(4 * rng.randi_range(-3, 3), 4 * rng.randi_range(-3, 3))
 	return new(kind, touch.minus(by.scaled(fraction)), by, touch.length())

@@ -1,3 +1,4 @@
+@tool
 class_name CapGraph
 extends Control
 ## The distance of the ball's centre from the end of the line against the fraction of the frame.
@@ -19,13 +20,15 @@ func _ready() -> void:
 	resized.connect(queue_redraw)
 
 
-## Draws the distance for [param equation] of the end called [param end_name], with the live point
-## at [param fraction].
+## Draws the distance for [param equation] of the end called [param end_name]. A ring marks the
+## distance after [param fraction] of the frame.
 func show_equation(equation: CapEquation, end_name: String, fraction: float) -> void:
 	_equation = equation
 	_end_name = end_name
 	_fraction = fraction
-	accessibility_name = _title()
+	# The editor would save it.
+	if not Engine.is_editor_hint():
+		accessibility_name = _title()
 	queue_redraw()
 
 
@@ -44,7 +47,7 @@ func _title() -> String:
 	return tr("Distance from %s") % _end_name
 
 
-# From the start to the end of the frame, and further if a root lies a little beyond.
+# From the start to the end of the frame, and further where a root lies outside it.
 func _span() -> Vector2:
 	var span := Vector2(0.0, 1.0)
 	if _equation.has_roots():

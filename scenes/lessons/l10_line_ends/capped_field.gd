@@ -1,6 +1,7 @@
+@tool
 class_name CappedField
 extends LineEndsField
-## The field with the round caps: also shows where the ball touches the end, by the quadratic.
+## The field with the round caps: it also shows where the ball touches the end, from the quadratic.
 
 @onready var _end_names: Array[BoardText] = [%StartName, %EndName]
 @onready var _difference: Arrow = %Difference
@@ -9,7 +10,7 @@ extends LineEndsField
 @onready var _second: BallView = %Second
 
 
-## Shows the touch on the end as far as [param step], counted from 0, has got.
+## Shows the touch on the end up to the step [param step], counted from 0.
 func show_cap(model: LineEndsModel, step: int) -> void:
 	var equation := model.cap_equation()
 	var cap := model.cap_point()
@@ -32,7 +33,7 @@ func show_cap(model: LineEndsModel, step: int) -> void:
 		_normal.keep_label_from(model.new_position())
 
 
-# The names stand on the side of the line where the ball does not come from.
+# The names of the ends are on the side of the line that is away from the ball's start.
 func _lay_names(model: LineEndsModel) -> void:
 	var away := model.facing_normal().negated()
 	_end_names[0].lay(model.segment.start, away)

@@ -1,6 +1,6 @@
 class_name ExactImpactFraction
-## The fraction of the frame before an impact, to about 100 bits: what the readout compares the
-## lecture's formulas with.
+## The fraction of the frame before an impact, to about 100 bits. The readout compares the lecture's
+## formulas with it.
 ##
 ## The coordinates, as doubles, are taken as exact. Coordinates up to 1e6, as in [LineEndsModel].
 
@@ -29,7 +29,7 @@ static func with_line(from: Vec2, motion: Vec2, radius: float, line: LineSegment
 	var along_y := DoubleDouble.sum_of(line.end.y, -line.start.y)
 	var across := DoubleDouble.sum_of(from.x, -line.start.x)
 	var down := DoubleDouble.sum_of(from.y, -line.start.y)
-	# Distances times the length of the line: the determinant of both vectors.
+	# The distance times the length of the line: the determinant of both vectors.
 	var old_distance := along_x.times(down).minus(along_y.times(across))
 	var x := DoubleDouble.from_float(motion.x)
 	var y := DoubleDouble.from_float(motion.y)

@@ -1,11 +1,11 @@
 @tool
 class_name FlightLine
 extends BoardPart
-## The way of the ball's centre through the frame: thin as a whole, thick as far as it has come.
+## The path of the ball's centre in the frame: thin as a whole, thick as far as the ball has come.
 
 ## Colour of the line.
 @export var role := Palette.Role.INK
-## Dashed: the way of a wrong ball.
+## Dashed: the path of a wrong ball.
 @export var dashed := false
 
 var _whole: Array[Vec2] = []

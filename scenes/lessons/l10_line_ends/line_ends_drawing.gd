@@ -1,13 +1,17 @@
+@tool
 class_name LineEndsDrawing
 extends Control
-## The five fields and the graph on the board of the lesson on line ends.
+## The five fields and the graph on the board of the lesson on line ends. In the editor it shows
+## them as the lesson starts.
 
 ## The student moves the shot, in any of the fields.
 signal shot_moved(tail: Vec2, head: Vec2)
+## A drag or nudge of the shot has ended.
+signal shot_released
 ## The student moves the line, in any of the fields.
 signal line_moved(from: Vec2, to: Vec2)
-## A drag or nudge has ended.
-signal released
+## A drag or nudge of the line has ended.
+signal line_released
 
 # From which step on each field is shown.
 const _FIRST_STEPS: Array[LineEndsTexts.Step] = [
@@ -29,19 +33,27 @@ const _FIRST_STEPS: Array[LineEndsTexts.Step] = [
 func _ready() -> void:
 	for field in _fields:
 		field.shot_moved.connect(shot_moved.emit)
+		field.shot_released.connect(shot_released.emit)
 		field.line_moved.connect(line_moved.emit)
-		field.released.connect(released.emit)
-	resized.connect(_arrange)
-	_arrange()
+		field.line_released.connect(line_released.emit)
+	resized.connect(_reserve_lines)
+	_reserve_lines()
+	if Engine.is_editor_hint():
+		_show_start()
 
 
-## Chooses the scale of every field so that the shot of [param model] is seen.
+## Puts the shot and the line that the scene has at the start into [param model].
+func put_start(model: LineEndsModel) -> void:
+	_capped.put_start(model)
+
+
+## Chooses the scale of every field so that the whole shot of [param model] is seen.
 func fit(model: LineEndsModel) -> void:
 	for field in _fields:
 		field.fit(model)
 
 
-## Draws [param model] as far as [param step], counted from 0, has got.
+## Draws [param model] up to the step [param step], counted from 0.
 func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
 		_fields[i].visible = step >= _FIRST_STEPS[i]
@@ -49,6 +61,14 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
 	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)
+
+
+# No lesson runs in the editor that would call these.
+func _show_start() -> void:
+	var model := LineEndsModel.new()
+	put_start(model)
+	fit(model)
+	show_model(model, LineEndsTexts.Step.size() - 1)
 
 
 # The wrong ball flies in the field of the right line, so that both can be compared.
@@ -59,11 +79,6 @@ func _wrong_flight(model: LineEndsModel, kind: LineEndsModel.Field) -> BallFligh
 	return BallFlight.new(model.start, model.motion, impact)
 
 
-func _arrange() -> void:
-	var places := LineEndsLayout.places(size)
-	for i in _fields.size():
-		_fields[i].position = places[i].position
-		_fields[i].reserve_lines(1 if size.x < LineEndsLayout.NARROW else 2)
-		_fields[i].size = places[i].size
-	_graph.position = places[-1].position
-	_graph.size = places[-1].size
+func _reserve_lines() -> void:
+	for field in _fields:
+		field.reserve_lines(1 if size.x < LineEndsLayout.NARROW else 2)

@@ -1,23 +1,24 @@
+@tool
 class_name LineEndsField
 extends VBoxContainer
-## One of the five fields: a board of its own with one kind of line, the shot at it, and in words
-## what happens there.
+## One of the five fields: a board with one kind of line, the shot at it, and a sentence on what
+## happens there.
 
-## The student moves the shot: the ball's centre is to be at the tail, its motion ends at the head.
+## The student moves the shot: the ball's centre should be at the tail, its motion end at the head.
 signal shot_moved(tail: Vec2, head: Vec2)
+## A drag or nudge of the shot has ended.
+signal shot_released
 ## The student moves the line.
 signal line_moved(from: Vec2, to: Vec2)
-## A drag or nudge has ended.
-signal released
+## A drag or nudge of the line has ended.
+signal line_released
 
 ## The kind of line in this field.
 @export var kind := LineEndsModel.Field.ROUND_CAPS
-## Handles answer to the keyboard here. One field is enough: the shot is the same in all.
+## Whether the handles take the keyboard's focus. One field is enough: all show the same shot.
 @export var has_keyboard := false
 
 var _outline: Array[Vec2] = []
-var _tail := Vec2.new()
-var _head := Vec2.new()
 
 @onready var _title: Label = %Title
 @onready var _words: Label = %Words
@@ -35,16 +36,24 @@ var _head := Vec2.new()
 
 
 func _ready() -> void:
-	_title.text = LineEndsWords.title(kind)
 	_shot.moved.connect(shot_moved.emit)
+	_shot.released.connect(shot_released.emit)
 	_line.moved.connect(line_moved.emit)
-	_shot.released.connect(released.emit)
-	_line.released.connect(released.emit)
+	_line.released.connect(line_released.emit)
 	_board.pointed.connect(_point)
-	_board.released.connect(released.emit)
+	_board.released.connect(shot_released.emit)
 	_board.resized.connect(func() -> void: _board.fit(_outline))
-	if not has_keyboard:
+	# The editor would save what that changes.
+	if not has_keyboard and not Engine.is_editor_hint():
 		_leave_keyboard()
+
+
+## Puts the shot and the line that the scene has at the start into [param model].
+func put_start(model: LineEndsModel) -> void:
+	model.radius = _start_ball.radius
+	model.start = _shot.tail_point()
+	model.motion = _shot.head_point().minus(model.start)
+	model.segment = LineSegment.new(_line.tail_point(), _line.head_point())
 
 
 ## Chooses the scale so that the whole shot of [param model] is seen.
@@ -55,19 +64,17 @@ func fit(model: LineEndsModel) -> void:
 	_board.fit(_outline)
 
 
-## Keeps room for so many lines of words below the board.
+## Keeps room for this many lines of words below the board.
 func reserve_lines(count: int) -> void:
 	_words.custom_minimum_size.y = _words.get_line_height() * count
 
 
-## Shows [param model] in this field, beside the flight [param wrong] of a mistake; null for none.
+## Shows [param model] in this field, and the flight [param wrong] of a mistake; null for none.
 func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
-	_tail = model.start.copy()
-	_head = model.new_position()
 	var flight := model.flight_in(kind)
 	_wall.show_model(model, kind)
 	_line.lay(model.segment.start, model.segment.end)
-	_shot.lay(_tail, _head)
+	_shot.lay(model.start, model.new_position())
 	_flight.show_flight(flight, model.fraction)
 	_start_ball.lay(model.start, model.radius)
 	_ball.lay(flight.position_at(model.fraction), model.radius)
@@ -75,9 +82,10 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 	if flight.impact.hit:
 		_impact_ball.lay(flight.impact.position, model.radius)
 	_show_wrong(model, wrong)
-	_words.text = LineEndsWords.sentence(model, kind)
+	_title.text = LineEndsTexts.title(kind)
+	_words.text = LineEndsTexts.event_in(kind, model)
 	if wrong:
-		_words.text += "\n" + LineEndsWords.wrong_sentence(model, wrong)
+		_words.text += "\n" + LineEndsTexts.wrong_event(model, wrong)
 
 
 func _leave_keyboard() -> void:
@@ -98,10 +106,11 @@ func _show_wrong(model: LineEndsModel, wrong: BallFlight) -> void:
 		_wrong_ball.lay(wrong.position_at(model.fraction), model.radius)
 
 
-# The left button aims the shot, the right one puts the ball elsewhere without turning the shot.
+# The left button aims the shot. The right one moves the ball; the motion stays the same.
 func _point(at: Vec2, button: MouseButton) -> void:
 	var target := _board.snapped_to_step(at)
+	var tail := _shot.tail_point()
 	if button == MOUSE_BUTTON_LEFT:
-		shot_moved.emit(_tail, target)
+		shot_moved.emit(tail, target)
 	else:
-		shot_moved.emit(target, target.plus(_head.minus(_tail)))
+		shot_moved.emit(target, target.plus(_shot.head_point().minus(tail)))

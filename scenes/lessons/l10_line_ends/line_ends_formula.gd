@@ -1,139 +1,161 @@
 class_name LineEndsFormula
 extends RefCounted
-## Puts the numbers of the lesson on line ends into its formula lines.
+## The formula of the lesson on line ends: its lines, step by step, and what each name in them is.
+##
+## P is the ball's centre at the beginning of the frame, v its motion, r its radius. The line goes
+## from A to B with the normal n. d goes from the end that is met to P.
+
+const _GIVEN: PackedStringArray = [
+	"P = ( {px} , {py} )   {v} = ( {vx} , {vy} )   r = {r}",
+	"A = ( {ax} , {ay} )   B = ( {bx} , {by} )",
+]
+const _BLUE := Palette.Role.PROJECTION
 
 var _formula: Formula
 
 
-## Says to [param formula] what the names in [LineEndsTexts] stand for.
+## Writes into [param formula].
 func _init(formula: Formula) -> void:
 	_formula = formula
-	_define_symbols()
-	_define_typed_numbers()
-	for number: String in [
-		"radius", "signed", "distance", "approach", "s", "d_squared", "r_squared"
-	]:
-		_formula.define_number(number, Palette.Role.INK)
-	for number: String in ["a", "b", "c", "discriminant", "minus_b", "root", "two_a"]:
-		_formula.define_number(number, Palette.Role.INK)
-	for number: String in ["line_fraction", "line_point", "first"]:
-		_formula.define_number(number, Palette.Role.PROJECTION)
-	_formula.define_number("second", Palette.Role.REST)
-	_formula.define_number("d_pair", Palette.Role.B)
-	_formula.define_number("d_length", Palette.Role.B)
-	_formula.define_number("n_pair", Palette.Role.UNIT)
-	_formula.define_number("cap_normal", Palette.Role.UNIT)
-	_formula.define_number("after", Palette.Role.A)
 
 
 ## Shows the lines of [param step] with the numbers of [param model].
 func show_model(model: LineEndsModel, step: int) -> void:
-	_formula.define_symbol("end", LineEndsTexts.end_name(model), Palette.Role.INK)
-	_formula.define_symbol("t", "t₁" if step >= LineEndsTexts.Step.CAP else "t", _blue())
-	_formula.show_lines(LineEndsTexts.lines(model, step))
-	_put_typed_numbers(model)
+	_put_given(model)
 	_put_line(model, step)
-	_put_cap(model)
+	_put_equation(model)
+	_put_bounce(model)
+	_formula.put_symbol("t", "t₁" if step >= LineEndsTexts.Step.CAP else "t", _BLUE)
+	if step < LineEndsTexts.Step.CAP:
+		_formula.show_lines(_GIVEN + _lines_on_line(model, step))
+	else:
+		_formula.show_lines(_GIVEN + _lines_on_cap(model, step))
 
 
-## Puts a typed number into [param model]; says what is wrong with it, "" if it was taken.
+## Puts a typed number into [param model]. "" if it was taken, else one sentence; then nothing has
+## changed.
 static func enter(model: LineEndsModel, name_in_line: String, value: float) -> String:
-	var old := model.to_dictionary()
-	match name_in_line:
-		"px":
-			model.start.x = value
-		"py":
-			model.start.y = value
-		"vx":
-			model.motion.x = value
-		"vy":
-			model.motion.y = value
-		"ax":
-			model.segment.start.x = value
-		"ay":
-			model.segment.start.y = value
-		"bx":
-			model.segment.end.x = value
-		"by":
-			model.segment.end.y = value
-		"r":
-			model.radius = value
-	var problem := model.problem()
-	if problem:
-		model.from_dictionary(old)
-	return problem
+	var parts: Dictionary[String, RefCounted] = {
+		"p": model.start, "v": model.motion, "a": model.segment.start, "b": model.segment.end
+	}
+	return model.attempt(
+		func() -> void:
+			if name_in_line == "r":
+				model.radius = value
+			else:
+				parts[name_in_line[0]].set(name_in_line[1], value)
+	)
 
 
-func _define_symbols() -> void:
-	_formula.define_symbol("v", "v", Palette.Role.A)
-	_formula.define_symbol("d", "d", Palette.Role.B)
-	_formula.define_symbol("n", "n", Palette.Role.UNIT)
-	_formula.define_symbol("u", "t₂", Palette.Role.REST)
-
-
-func _define_typed_numbers() -> void:
-	_formula.define_number("px", Palette.Role.INK, tr("x of the ball's centre"))
-	_formula.define_number("py", Palette.Role.INK, tr("y of the ball's centre"))
-	_formula.define_number("vx", Palette.Role.A, tr("x of v"))
-	_formula.define_number("vy", Palette.Role.A, tr("y of v"))
-	_formula.define_number("r", Palette.Role.INK, tr("radius"))
-	_formula.define_number("ax", Palette.Role.INK, tr("x of A"))
-	_formula.define_number("ay", Palette.Role.INK, tr("y of A"))
-	_formula.define_number("bx", Palette.Role.INK, tr("x of B"))
-	_formula.define_number("by", Palette.Role.INK, tr("y of B"))
-
-
-func _put_typed_numbers(model: LineEndsModel) -> void:
-	_formula.set_number("px", model.start.x)
-	_formula.set_number("py", model.start.y)
-	_formula.set_number("vx", model.motion.x)
-	_formula.set_number("vy", model.motion.y)
-	_formula.set_number("r", model.radius)
-	_formula.set_number("ax", model.segment.start.x)
-	_formula.set_number("ay", model.segment.start.y)
-	_formula.set_number("bx", model.segment.end.x)
-	_formula.set_number("by", model.segment.end.y)
+func _put_given(model: LineEndsModel) -> void:
+	_formula.put_symbol("v", "v", Palette.Role.A)
+	_formula.put_number("px", model.start.x, Palette.Role.INK, tr("x of the ball's centre"))
+	_formula.put_number("py", model.start.y, Palette.Role.INK, tr("y of the ball's centre"))
+	_formula.put_number("vx", model.motion.x, Palette.Role.A, tr("x of v"))
+	_formula.put_number("vy", model.motion.y, Palette.Role.A, tr("y of v"))
+	_formula.put_number("r", model.radius, Palette.Role.INK, tr("radius"))
+	_formula.put_number("ax", model.segment.start.x, Palette.Role.INK, tr("x of A"))
+	_formula.put_number("ay", model.segment.start.y, Palette.Role.INK, tr("y of A"))
+	_formula.put_number("bx", model.segment.end.x, Palette.Role.INK, tr("x of B"))
+	_formula.put_number("by", model.segment.end.y, Palette.Role.INK, tr("y of B"))
 
 
 func _put_line(model: LineEndsModel, step: int) -> void:
 	var is_one_sided := step == LineEndsTexts.Step.ONE_SIDE
 	var normal := model.segment.normal() if is_one_sided else model.facing_normal()
-	var distance := absf(LineDistance.signed_distance(model.start, model.segment))
+	var signed := LineDistance.signed_distance(model.start, model.segment)
 	var approach := -model.motion.dot(normal)
-	_formula.set_vector("n_pair", normal)
-	_formula.set_number("signed", LineDistance.signed_distance(model.start, model.segment))
-	_formula.set_number("distance", distance)
-	_formula.set_number("approach", approach)
-	_formula.set_number("radius", model.radius)
+	_formula.put_symbol("n", "n", Palette.Role.UNIT)
+	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
+	_formula.put_number("signed", signed, Palette.Role.INK)
+	_formula.put_number("distance", absf(signed), Palette.Role.INK)
+	_formula.put_number("approach", approach, Palette.Role.INK)
+	_formula.put_number("radius", model.radius, Palette.Role.INK)
 	if approach != 0.0:
-		var fraction := PointOfImpact.fraction(distance, distance - approach, model.radius)
+		var fraction := PointOfImpact.fraction(absf(signed), absf(signed) - approach, model.radius)
 		var point := model.start.plus(model.motion.scaled(fraction))
-		_formula.set_number("line_fraction", fraction)
-		_formula.set_vector("line_point", point)
-		_formula.set_number("s", model.segment.share_of(point))
+		_formula.put_number("line_fraction", fraction, _BLUE)
+		_formula.put_vector("line_point", point, _BLUE)
+		_formula.put_number("s", model.segment.share_of(point), Palette.Role.INK)
 
 
-func _put_cap(model: LineEndsModel) -> void:
+func _put_equation(model: LineEndsModel) -> void:
 	var equation := model.cap_equation()
-	_formula.set_vector("d_pair", equation.difference)
-	_formula.set_number("d_length", equation.difference.length())
-	_formula.set_number("d_squared", equation.difference.length_squared())
-	_formula.set_number("r_squared", model.radius * model.radius)
-	_formula.set_number("a", equation.a)
-	_formula.set_number("b", equation.b)
-	_formula.set_number("c", equation.c)
-	_formula.set_number("discriminant", equation.discriminant())
-	_formula.set_number("minus_b", -equation.b)
-	_formula.set_number("two_a", 2.0 * equation.a)
+	_formula.put_symbol("end", LineEndsTexts.end_name(model), Palette.Role.INK)
+	_formula.put_symbol("d", "d", Palette.Role.B)
+	_formula.put_symbol("u", "t₂", Palette.Role.REST)
+	_formula.put_vector("d_pair", equation.difference, Palette.Role.B)
+	_formula.put_number("d_length", equation.difference.length(), Palette.Role.B)
+	_formula.put_number("d_squared", equation.difference.length_squared(), Palette.Role.INK)
+	_formula.put_number("r_squared", model.radius * model.radius, Palette.Role.INK)
+	_formula.put_number("a", equation.a, Palette.Role.INK)
+	_formula.put_number("b", equation.b, Palette.Role.INK)
+	_formula.put_number("c", equation.c, Palette.Role.INK)
+	_formula.put_number("discriminant", equation.discriminant(), Palette.Role.INK)
+	_formula.put_number("minus_b", -equation.b, Palette.Role.INK)
+	_formula.put_number("two_a", 2.0 * equation.a, Palette.Role.INK)
 	if equation.has_roots():
-		_formula.set_number("root", sqrt(equation.discriminant()))
-		_formula.set_number("first", equation.first_root())
-		_formula.set_number("second", equation.second_root())
+		_formula.put_number("root", sqrt(equation.discriminant()), Palette.Role.INK)
+		_formula.put_number("first", equation.first_root(), _BLUE)
+		_formula.put_number("second", equation.second_root(), Palette.Role.REST)
+
+
+func _put_bounce(model: LineEndsModel) -> void:
 	var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	if impact.hit:
-		_formula.set_vector("cap_normal", impact.normal)
-		_formula.set_vector("after", model.motion.reflected(impact.normal))
+		_formula.put_vector("cap_normal", impact.normal, Palette.Role.UNIT)
+		_formula.put_vector("after", model.motion.reflected(impact.normal), Palette.Role.A)
 
 
-func _blue() -> Palette.Role:
-	return Palette.Role.PROJECTION
+func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
+	if step == LineEndsTexts.Step.ONE_SIDE:
+		return ["{n} = {n_pair}     (P − A) · {n} = {signed}"]
+	var found: PackedStringArray = ["{n} = {n_pair}     (P − A) · {n} = {distance}"]
+	if model.motion.dot(model.facing_normal()) == 0.0:
+		found.append("{v} · {n} = 0: " + tr("along the line, no time of impact"))
+		return found
+	found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
+	if step == LineEndsTexts.Step.SEGMENT:
+		found.append("F = P + {t} {v} = {line_point}")
+		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
+	return found
+
+
+func _lines_on_cap(model: LineEndsModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = []
+	if step < LineEndsTexts.Step.BOUNCE:
+		found.append("{d} = P − {end} = {d_pair}     |{d}| = {d_length}")
+	if step in [LineEndsTexts.Step.QUADRATIC, LineEndsTexts.Step.ROOTS]:
+		found.append("a = {v} · {v} = {a}     b = 2 {d} · {v} = {b}")
+	if step == LineEndsTexts.Step.QUADRATIC:
+		found.append("c = {d} · {d} − r² = {d_squared} − {r_squared} = {c}")
+	if step >= LineEndsTexts.Step.ROOTS:
+		found.append("c = {d} · {d} − r² = {c}     D = b² − 4ac = {discriminant}")
+		found.append_array(_lines_on_roots(model))
+	if step == LineEndsTexts.Step.BOUNCE and model.bounces_on_the_end():
+		found.append("{n} = (P + {t} {v} − {end}) / r = {cap_normal}")
+		found.append("{v} − 2 ({v} · {n}) {n} = {after}")
+	return found
+
+
+func _lines_on_roots(model: LineEndsModel) -> PackedStringArray:
+	var equation := model.cap_equation()
+	if equation.a == 0.0:
+		return [tr("a = 0: the ball does not move. Do not divide by a.")]
+	if not equation.has_roots():
+		return [tr("D < 0: no root. This end is not touched.")]
+	return [
+		"{t} = (−b − √D) / 2a = ({minus_b} − {root}) / {two_a} = {first}",
+		"{u} = (−b + √D) / 2a = {second}     " + _verdict(model, equation),
+	]
+
+
+# Which of the two roots counts, in a few words.
+func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
+	if model.result_in(LineEndsModel.Field.ROUND_CAPS) == LineEndsModel.Result.BOUNCES:
+		return tr("the line is met first")
+	if equation.b >= 0.0:
+		return tr("moving away: none")
+	if equation.c <= 0.0:
+		return tr("overlap: t = 0")
+	return tr("t₁ counts") if equation.first_root() <= 1.0 else tr("t₁ > 1: none")

@@ -1,19 +1,23 @@
+@tool
 class_name LineEndsLayout
-## Where the five fields and the graph lie on the board: the capped field large where there is room,
-## else all six in two columns.
+extends Container
+## Arranges the five fields and the graph: the capped field large where there is room, else all six
+## in two columns. Its children are the fields in the order of [enum LineEndsModel.Field], then the
+## graph.
 
 ## A board narrower than this, in pixels, has two equal columns.
 const NARROW := 620.0
 const _GAP := 8.0
 
 
-## Six rectangles in a board of [param size] pixels: the fields in the order of
-## [enum LineEndsModel.Field], then the graph.
-static func places(size: Vector2) -> Array[Rect2]:
-	return _in_two_columns(size) if size.x < NARROW else _with_large_field(size)
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_SORT_CHILDREN:
+		var places := _in_two_columns() if size.x < NARROW else _with_large_field()
+		for i in mini(places.size(), get_child_count()):
+			fit_child_in_rect(get_child(i) as Control, places[i])
 
 
-static func _in_two_columns(size: Vector2) -> Array[Rect2]:
+func _in_two_columns() -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 3.0 * _GAP) / 2.0, (size.y - 4.0 * _GAP) / 3.0)
 	for i in 6:
@@ -22,7 +26,7 @@ static func _in_two_columns(size: Vector2) -> Array[Rect2]:
 	return found
 
 
-static func _with_large_field(size: Vector2) -> Array[Rect2]:
+func _with_large_field() -> Array[Rect2]:
 	var found: Array[Rect2] = []
 	var cell := Vector2((size.x - 4.0 * _GAP) / 4.0, (size.y - 3.0 * _GAP) / 2.0)
 	for i in 4:

@@ -1,5 +1,5 @@
 class_name LineEndsMistakeTexts
-## What the bug gallery of this lesson says of each mistake, and which shot shows it best.
+## What the bug gallery of this lesson says about each mistake, and which preset shows it best.
 
 const _TELLING_PRESETS: Dictionary[int, String] = {
 	18: "Head-on",

@@ -1,14 +1,13 @@
 class_name LineEndsMistakes
 ## The mistakes of this lesson's bug gallery, each as students have written it. The right formulas
-## stand in `scripts/collision/`.
+## are in `scripts/collision/`.
 
 ## Their numbers in the course's list.
 const NUMBERS: Array[int] = [18, 19, 20, 22, 23]
 
 
-## The impact that the mistake [param number] leads to for the shot of [param model]. Its fraction
-## may be any number, NaN included: that is the mistake. Where the mistake plays no part, it is the
-## right impact.
+## The impact that the mistake [param number] finds for the shot of [param model]. Its fraction
+## may be any number, NaN included. Where the mistake makes no difference, it is the right impact.
 static func impact(number: int, model: LineEndsModel) -> Impact:
 	var right := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	var flat_hit := right.hit and right.feature == Impact.Feature.LINE
@@ -37,8 +36,8 @@ static func shows(number: int, model: LineEndsModel) -> bool:
 	return not wrong.position_at(1.0).equals_approx(right.position_at(1.0), 1e-6)
 
 
-## The points that a picture must hold to show where the mistake of [param model] puts the ball at
-## its impact; none where that is far off.
+## Points around the ball where the mistake of [param model] has it touch: a picture must show them.
+## None where that is far off.
 static func outline(model: LineEndsModel) -> Array[Vec2]:
 	if model.mistake == 0:
 		return []
@@ -49,19 +48,19 @@ static func outline(model: LineEndsModel) -> Array[Vec2]:
 	return [wrong.position.plus(reach), wrong.position.minus(reach)]
 
 
-## Mistake 18: (-b - D²) / 2a: the square where the root belongs, and a = 0 not tested before.
+## Mistake 18: (-b - D²) / 2a: D squared instead of its root, and a = 0 not tested.
 static func discriminant_squared(equation: CapEquation) -> float:
 	var discriminant := equation.discriminant()
 	return (-equation.b - discriminant * discriminant) / (2.0 * equation.a)
 
 
-## Mistake 19: the root of a discriminant that may be negative, and is then not a number.
+## Mistake 19: the root of a discriminant that is not tested: NaN where it is negative.
 static func discriminant_untested(equation: CapEquation) -> float:
 	return (-equation.b - sqrt(equation.discriminant())) / (2.0 * equation.a)
 
 
-## Mistake 20: the fraction counted from the new position, where the frame has ended. NaN where
-## the ball does not come to the end.
+## Mistake 20: the fraction counted from the new position, at the end of the frame. NaN where there
+## is no root.
 static func from_new_position(model: LineEndsModel) -> float:
 	var equation := CapEquation.new(
 		model.new_position(), model.motion, model.radius, model.cap_point()
@@ -75,7 +74,7 @@ static func _at(fraction: float, model: LineEndsModel) -> Impact:
 	return Impact.at(fraction, position, normal, model.nearest_cap())
 
 
-# Mistake 22: asks whether the ball is above the line after the frame, not when it touches.
+# Mistake 22: tests whether the ball is beside the line after the frame, not when it touches.
 static func _end_tested_at_new_position(model: LineEndsModel, right: Impact) -> Impact:
 	var facing := SegmentImpact.facing_segment(model.start, model.segment)
 	var flat := PointOfImpact.with_line(model.start, model.motion, model.radius, facing)

@@ -1,5 +1,5 @@
 class_name LineEndsModel
-extends RefCounted
+extends LessonModel
 ## One shot at five kinds of line: the ball's motion in one frame, and what each kind does to it.
 ##
 ## Lengths are in pixels.
@@ -30,7 +30,7 @@ const SMALLEST := 1e-3
 
 ## The ball's centre at the beginning of the frame.
 var start := Vec2.new(-6.0, -8.0)
-## The way of the whole frame: the velocity in pixels per frame.
+## The motion of the whole frame without a bounce: the velocity in pixels per frame.
 var motion := Vec2.new(6.0, 16.0)
 ## The ball's radius, [constant SMALLEST] to [constant LARGEST].
 var radius := 5.0
@@ -38,13 +38,39 @@ var radius := 5.0
 var segment := LineSegment.new(Vec2.new(1.0, 3.0), Vec2.new(13.0, 8.0))
 ## The fraction of the frame that has passed, 0..1. In links its key is "time".
 var fraction := 1.0
-## The mistake that runs beside the right way, by its number; 0 for none.
+## The number of the mistake that flies a wrong ball beside the right one; 0 for none.
 var mistake := 0
 
 
 ## The ball's centre at the end of the frame, if nothing were in its way.
 func new_position() -> Vec2:
 	return start.plus(motion)
+
+
+## Puts the ball's centre at [param tail] and lets its motion end at [param head]. "" or one
+## sentence; then nothing has changed.
+func set_shot(tail: Vec2, head: Vec2) -> String:
+	return attempt(
+		func() -> void:
+			start = tail.copy()
+			motion = head.minus(tail)
+	)
+
+
+## Lays the line from one point to another. "" or one sentence; then nothing has changed.
+func set_line(from: Vec2, to: Vec2) -> String:
+	return attempt(func() -> void: segment = LineSegment.new(from, to))
+
+
+## Makes the change [param edit] and takes it back if it leads to numbers that cannot be used. "" or
+## one sentence on why.
+func attempt(edit: Callable) -> String:
+	var old := to_dictionary()
+	edit.call()
+	var refusal := problem()
+	if refusal:
+		from_dictionary(old)
+	return refusal
 
 
 ## What a kind of line finds in this frame.
@@ -62,7 +88,8 @@ func impact_in(field: Field) -> Impact:
 	return SegmentImpact.with_segment(start, motion, radius, segment)
 
 
-## What becomes of the ball at a kind of line. A miss is told by what a better line would have done.
+## What becomes of the ball at a kind of line. The name of a miss says what a better line would have
+## done.
 func result_in(field: Field) -> Result:
 	var impact := impact_in(field)
 	if impact.hit:
@@ -78,12 +105,18 @@ func result_in(field: Field) -> Result:
 	return _result_of_miss(impact_in(two_sided).outcome)
 
 
-## The ball's way at a kind of line, bounce included.
+## Whether the ball bounces on the end of the segment with round caps.
+func bounces_on_the_end() -> bool:
+	return result_in(Field.ROUND_CAPS) == Result.BOUNCES_ON_THE_END
+
+
+## The path of the ball at a kind of line, with its bounce.
 func flight_in(field: Field) -> BallFlight:
 	return BallFlight.new(start, motion, impact_in(field))
 
 
-## The end of the line that is met, or else the one that the ball comes closest to.
+## The end of the line that the ball touches first; where it touches none, the one to which it comes
+## closest.
 func nearest_cap() -> Impact.Feature:
 	var impact := impact_in(Field.ROUND_CAPS)
 	if impact.hit and impact.feature != Impact.Feature.LINE:
@@ -108,7 +141,8 @@ func facing_normal() -> Vec2:
 	return SegmentImpact.facing_segment(start, segment).normal()
 
 
-## The points that a picture of a field must hold: the line, and the ball wherever it can be.
+## Points around all that a picture of a field must show: the line, and the ball at the beginning
+## and at both ends of the frame, with and without the bounce.
 func outline(field: Field) -> Array[Vec2]:
 	var reach := Vec2.new(radius, radius)
 	var found: Array[Vec2] = [segment.start, segment.end]
@@ -135,7 +169,6 @@ func problem() -> String:
 	return ""
 
 
-## All of it, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
 		"shot": PackedFloat64Array([start.x, start.y, motion.x, motion.y, radius]),
@@ -146,9 +179,7 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+func problem_in(stored: Dictionary) -> String:
 	var model := LineEndsModel.new()
 	model.from_dictionary(stored)
 	return (
@@ -163,7 +194,6 @@ static func problem_of(stored: Dictionary) -> String:
 	)
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var shot: PackedFloat64Array = stored["shot"]
 	var line: PackedFloat64Array = stored["line"]
@@ -175,7 +205,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	mistake = stored["mistake"]
 
 
-# A one-sided line does not see a ball that starts behind it.
+# A one-sided line misses every ball that starts behind it.
 func _unless_behind(impact: Impact) -> Impact:
 	if LineDistance.signed_distance(start, segment) < 0.0:
 		return Impact.miss(Impact.Outcome.MOVING_AWAY)
@@ -201,7 +231,7 @@ func _result_of_miss(outcome: Impact.Outcome) -> Result:
 	return Result.PASSES_BESIDE
 
 
-# How far the way of this frame stays from a point, in pixels.
+# The smallest distance between the centre and a point in this frame without a bounce, in pixels.
 func _clearance_of(point: Vec2) -> float:
 	return LineSegment.new(start, new_position()).closest_point(point).distance_to(point)
 

@@ -1,8 +1,8 @@
 class_name LineEndsPresets
-## Ready-made shots of the lesson on line ends.
+## The presets of the lesson on line ends: shots with their lines.
 
-## By their titles (source text): x and y of the ball's centre, of its motion, its radius, x and y
-## of both ends of the line.
+## By their titles (source text): x and y of the ball's centre, x and y of its motion, its radius, x
+## and y of both ends of the line.
 const SHOTS: Dictionary[String, Array] = {
 	"End": [-6.0, -8.0, 6.0, 16.0, 5.0, 1.0, 3.0, 13.0, 8.0],
 	"Head-on": [-6.0, 0.0, 10.0, 0.0, 3.0, 2.0, 0.0, 12.0, 0.0],
@@ -12,7 +12,7 @@ const SHOTS: Dictionary[String, Array] = {
 }
 
 
-## Lays the shot [param preset] into [param model]; the frame is seen at its end.
+## Puts the shot [param preset] into [param model] and shows the end of the frame.
 static func lay(model: LineEndsModel, preset: String) -> void:
 	var numbers: PackedFloat64Array = SHOTS[preset]
 	model.start = Vec2.new(numbers[0], numbers[1])

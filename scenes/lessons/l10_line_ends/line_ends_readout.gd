@@ -16,7 +16,7 @@ func show_model(model: LineEndsModel) -> void:
 	var facing := SegmentImpact.facing_segment(model.start, model.segment)
 	_show(
 		"line",
-		TranslationServer.translate("t, infinite line"),
+		tr("t, infinite line"),
 		PointOfImpact.with_line.bind(model.start, model.motion, model.radius, facing),
 		ExactImpactFraction.with_line(model.start, model.motion, model.radius, facing)
 	)
@@ -24,7 +24,7 @@ func show_model(model: LineEndsModel) -> void:
 	var point := model.cap_point()
 	_show(
 		"cap",
-		TranslationServer.translate("t, end %s") % LineEndsTexts.end_name(model),
+		tr("t, end %s") % LineEndsTexts.end_name(model),
 		CapImpact.with_point.bind(model.start, model.motion, model.radius, point, feature),
 		ExactImpactFraction.with_point(model.start, model.motion, model.radius, point)
 	)
@@ -33,11 +33,10 @@ func show_model(model: LineEndsModel) -> void:
 func _show(key: String, title: String, find: Callable, exact: DoubleDouble) -> void:
 	var impact: Impact = find.call()
 	var nanoseconds := CallTimer.nanoseconds(find)
-	# A ball that overlaps already touches at once: there 0 is exact.
+	# A ball that overlaps at the start touches at once: there 0 is exact.
 	if impact.hit and exact:
 		var error := 0.0 if impact.fraction == 0.0 else exact.error_of(impact.fraction)
 		_readout.show_result(key, title, impact.fraction, error, nanoseconds)
 	else:
-		var cost := TranslationServer.translate("%s ns") % NumberText.short(nanoseconds, 2)
-		var none := TranslationServer.translate("none")
-		_readout.show_texts(key, [title, none, "–", cost])
+		var none := tr("none")
+		_readout.show_texts(key, [title, none, "–", _readout.time_text(nanoseconds)])

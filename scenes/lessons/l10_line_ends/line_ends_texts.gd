@@ -1,5 +1,5 @@
 class_name LineEndsTexts
-## The sentences and formula lines of the lesson on line ends, step by step.
+## The sentences of the lesson on line ends: one a step, and what happens in each field.
 
 ## The steps in order.
 enum Step { ONE_SIDE, TWO_SIDES, SEGMENT, CAP, QUADRATIC, ROOTS, BOUNCE }
@@ -18,78 +18,79 @@ static func sentences() -> PackedStringArray:
 	]
 
 
-## The formula lines of [param step] for the shot of [param model].
-static func lines(model: LineEndsModel, step: int) -> PackedStringArray:
-	var found: PackedStringArray = [
-		"P = ( {px} , {py} )   {v} = ( {vx} , {vy} )   r = {r}",
-		"A = ( {ax} , {ay} )   B = ( {bx} , {by} )",
-	]
-	if step < Step.CAP:
-		_add_lines_of_line(found, model, step)
-	else:
-		_add_lines_of_cap(found, model, step)
-	return found
-
-
 ## The name of the end that the quadratic is about.
 static func end_name(model: LineEndsModel) -> String:
 	return "A" if model.nearest_cap() == Impact.Feature.START else "B"
 
 
-static func _add_lines_of_line(found: PackedStringArray, model: LineEndsModel, step: int) -> void:
-	if step == Step.ONE_SIDE:
-		found.append("{n} = {n_pair}     (P − A) · {n} = {signed}")
-		return
-	found.append("{n} = {n_pair}     (P − A) · {n} = {distance}")
-	if model.motion.dot(model.facing_normal()) == 0.0:
-		found.append("{v} · {n} = 0: " + _translate("along the line, no time of impact"))
-		return
-	found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
-	if step == Step.SEGMENT:
-		found.append("F = P + {t} {v} = {line_point}")
-		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
+## The heading of a field, translated.
+static func title(field: LineEndsModel.Field) -> String:
+	match field:
+		LineEndsModel.Field.INFINITE_ONE_SIDED:
+			return _translate("Infinite, one side")
+		LineEndsModel.Field.INFINITE_TWO_SIDED:
+			return _translate("Infinite, two sides")
+		LineEndsModel.Field.SEGMENT_ONE_SIDED:
+			return _translate("Segment, one side")
+		LineEndsModel.Field.SEGMENT_TWO_SIDED:
+			return _translate("Segment, two sides")
+	return _translate("Segment, two sides, round caps")
 
 
-static func _add_lines_of_cap(found: PackedStringArray, model: LineEndsModel, step: int) -> void:
-	if step < Step.BOUNCE:
-		found.append("{d} = P − {end} = {d_pair}     |{d}| = {d_length}")
-	if step == Step.QUADRATIC or step == Step.ROOTS:
-		found.append("a = {v} · {v} = {a}     b = 2 {d} · {v} = {b}")
-	if step == Step.QUADRATIC:
-		found.append("c = {d} · {d} − r² = {d_squared} − {r_squared} = {c}")
-	if step >= Step.ROOTS:
-		found.append("c = {d} · {d} − r² = {c}     D = b² − 4ac = {discriminant}")
-		found.append_array(_lines_of_roots(model))
-	if step == Step.BOUNCE and model.result_in(LineEndsModel.Field.ROUND_CAPS) == _on_the_end():
-		found.append("{n} = (P + {t} {v} − {end}) / r = {cap_normal}")
-		found.append("{v} − 2 ({v} · {n}) {n} = {after}")
+## What happens in a field, translated.
+static func event_in(field: LineEndsModel.Field, model: LineEndsModel) -> String:
+	var words := _of_result(model.result_in(field))
+	if _is_wrong_line(model, field):
+		words = "✗ " + words
+	var impact := model.impact_in(field)
+	if not impact.hit:
+		return words
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction, 3)
 
 
-static func _lines_of_roots(model: LineEndsModel) -> PackedStringArray:
-	var equation := model.cap_equation()
-	if equation.a == 0.0:
-		return [_translate("a = 0: the ball does not move. Do not divide by a.")]
-	if not equation.has_roots():
-		return [_translate("D < 0: no root. This end is not touched.")]
-	return [
-		"{t} = (−b − √D) / 2a = ({minus_b} − {root}) / {two_a} = {first}",
-		"{u} = (−b + √D) / 2a = {second}     " + _verdict(model, equation),
-	]
+## What the ball of a mistake does on its [param wrong] flight, translated.
+static func wrong_event(model: LineEndsModel, wrong: BallFlight) -> String:
+	if not LineEndsMistakes.shows(model.mistake, model):
+		return _translate("the wrong ball does the same here")
+	if not wrong.impact.hit:
+		return _translate("✗ the wrong ball passes")
+	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.fraction, 5)
 
 
-# Which of both times counts, in a few words.
-static func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
-	if model.result_in(LineEndsModel.Field.ROUND_CAPS) == LineEndsModel.Result.BOUNCES:
-		return _translate("the line is met first")
-	if equation.b >= 0.0:
-		return _translate("moving away: none")
-	if equation.c <= 0.0:
-		return _translate("overlap: t = 0")
-	return _translate("t₁ counts") if equation.first_root() <= 1.0 else _translate("t₁ > 1: none")
+# Mistake 23 takes one of the other lines for the right one.
+static func _is_wrong_line(model: LineEndsModel, field: LineEndsModel.Field) -> bool:
+	if model.mistake != 23:
+		return false
+	var right := model.flight_in(LineEndsModel.Field.ROUND_CAPS).position_at(1.0)
+	return not model.flight_in(field).position_at(1.0).equals_approx(right, 1e-6)
 
 
-static func _on_the_end() -> LineEndsModel.Result:
-	return LineEndsModel.Result.BOUNCES_ON_THE_END
+static func _of_result(result: LineEndsModel.Result) -> String:
+	match result:
+		LineEndsModel.Result.BOUNCES:
+			return _translate("bounces on the line")
+		LineEndsModel.Result.BOUNCES_IN_THE_AIR:
+			return _translate("bounces in the air")
+		LineEndsModel.Result.BOUNCES_ON_THE_END:
+			return _translate("bounces on the end")
+		LineEndsModel.Result.PASSES_THROUGH:
+			return _translate("passes through from behind")
+		LineEndsModel.Result.CUTS_THROUGH_THE_END:
+			return _translate("passes beside, cuts the end")
+	return _of_miss(result)
+
+
+static func _of_miss(result: LineEndsModel.Result) -> String:
+	match result:
+		LineEndsModel.Result.PASSES_BESIDE:
+			return _translate("passes beside")
+		LineEndsModel.Result.FALLS_SHORT:
+			return _translate("does not get there")
+		LineEndsModel.Result.MOVES_AWAY:
+			return _translate("moves away")
+		LineEndsModel.Result.MOVES_ALONG:
+			return _translate("moves along the line")
+	return _translate("does not move")
 
 
 static func _translate(sentence: String) -> String:

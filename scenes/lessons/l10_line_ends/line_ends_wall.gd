@@ -6,11 +6,13 @@ extends BoardPart
 
 const _DASH_ANGLE := 0.16
 const _NORMAL_PIXELS := 26.0
-# So far along the line, where shots at the start do not cover them, stand the normals.
+# Where along the line the normals are, as a share of its length: the shot at the start does not
+# cover them there.
 const _NORMAL_SHARE := 0.7
 
 var _field := LineEndsModel.Field.ROUND_CAPS
-var _segment := LineSegment.new(Vec2.new(), Vec2.new(1.0, 0.0))
+# null before the line is known.
+var _segment: LineSegment
 var _radius := 1.0
 
 
@@ -23,6 +25,8 @@ func show_model(model: LineEndsModel, field: LineEndsModel.Field) -> void:
 
 
 func _draw() -> void:
+	if not _segment:
+		return
 	var from := board.to_screen(_segment.start)
 	var to := board.to_screen(_segment.end)
 	var along := _segment.along().normalized().to_vector2()
@@ -67,7 +71,7 @@ func _draw_side(from: Vector2, to: Vector2, normal: Vector2) -> void:
 	draw_primitive(corners, [color], [])
 
 
-# Half a circle round an end, from one parallel to the other.
+# Half a circle around an end, from one parallel to the other.
 func _draw_cap(end: Vector2, outwards: float) -> void:
 	var pixels := _radius * board.pixels_per_unit
 	var color := Palette.color(Palette.Role.QUIET)

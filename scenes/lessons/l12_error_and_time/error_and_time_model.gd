@@ -1,29 +1,29 @@
 class_name ErrorAndTimeModel
-extends RefCounted
-## The lesson on error and run time: which problem is measured, in which situation, what was
-## found so far, and what of it stands on the frontier.
+extends LessonModel
+## The lesson on error and run time: which problem is measured, in which situation, what has been
+## found so far, and what of it is on the frontier.
 
 ## The problems that can be chosen, in their order.
 var problems := ReportProblems.all()
-## Which one is chosen, by its place: at first the ball in a box, where there is most to see.
+## The place of the one that is chosen: at first the ball in a box, where there is most to see.
 var problem_place := 1
-## Which of its situations is chosen, by its place.
+## The place of the situation of this problem that is chosen.
 var situation_place := 0
-## The table of stability is open instead.
+## Whether the table of stability is open instead of the plot.
 var is_stability_open := false
 ## The stiff and extreme cases.
 var stability := StabilityRun.new(StabilityCases.all())
 
-# The cases of the engine for a problem's id, as an array; set by whoever has a scene.
+# Returns the cases of the engine for a problem's id: they need a scene, which the lesson has.
 var _engine_cases: Callable
-# All cases of a problem, and the runs of its situations, kept so that a problem that is chosen
-# again shows what was found.
+# All cases of a problem by its id, and the runs of its situations. They are kept: a problem that is
+# chosen again shows what was found before.
 var _cases: Dictionary[String, Array] = {}
 var _runs: Dictionary[String, MeasuringRun] = {}
 
 
-## A model whose problems are also solved by what [param engine_cases] returns for a problem's id:
-## an Array[MeasuredCase].
+## A model whose problems are also solved by the cases that [param engine_cases] returns, as an
+## Array[MeasuredCase], for a problem's id.
 func _init(engine_cases: Callable) -> void:
 	_engine_cases = engine_cases
 
@@ -33,7 +33,12 @@ func problem() -> ReportProblem:
 	return problems[problem_place]
 
 
-## Chooses a problem, in its first situation.
+## The place of the problem with the id [param id]; -1 where none has it.
+func place_of(id: String) -> int:
+	return problems.find_custom(func(some: ReportProblem) -> bool: return some.id == id)
+
+
+## Chooses a problem by its place, in its first situation.
 func choose_problem(place: int) -> void:
 	problem_place = place
 	situation_place = 0
@@ -52,21 +57,31 @@ func run() -> MeasuringRun:
 	return _runs[key]
 
 
-## The run that is looked at: that of the problem, or that of the table.
+## The run that is shown: the one of the problem, or the one of the table.
 func open_run() -> LiveRun:
 	if is_stability_open:
 		return stability
 	return run()
 
 
-## Begins what is looked at, or goes on; what is done already is done anew.
+## Begins what is shown or goes on with it; what is done already is done anew.
 func begin() -> void:
 	if open_run().is_done():
 		forget()
 	open_run().is_going = true
 
 
-## Forgets all that was found of what is looked at.
+## Goes on with what is shown, unless it is done.
+func go_on() -> void:
+	open_run().is_going = not open_run().is_done()
+
+
+## Stops what is shown where it is.
+func stop() -> void:
+	open_run().is_going = false
+
+
+## Forgets all results of what is shown.
 func forget() -> void:
 	if is_stability_open:
 		stability = StabilityRun.new(StabilityCases.all())
@@ -84,8 +99,8 @@ static func frontier(measurements: Array[Measurement]) -> PackedInt32Array:
 	return places
 
 
-## The place of the next slower measurement of the same method, or of the next faster one where
-## there is none; -1 where a method has one setting only.
+## The place of the next slower measurement of the same method; of the next faster one for the
+## slowest; -1 where the method has one setting only.
 static func neighbour(measurements: Array[Measurement], place: int) -> int:
 	var here := measurements[place]
 	var slower := -1
@@ -102,16 +117,16 @@ static func neighbour(measurements: Array[Measurement], place: int) -> int:
 	return slower if slower >= 0 else faster
 
 
-## The order p between two measurements of a method: so many times steeper than the run time grows
-## does the error shrink, log(e1/e2) / log(t2/t1). NaN where an error is 0 or no answer, or both
-## took the same time.
+## The order p between two measurements of a method, log(e1/e2) / log(t2/t1): the error falls as
+## the run time to the power -p. NaN where an error is 0 or no answer, or where both took the same
+## time.
 static func order(one: Measurement, other: Measurement) -> float:
 	var errors := log(one.error / other.error) if other.error > 0.0 and one.error > 0.0 else NAN
 	var times := log(other.run_time_us / one.run_time_us)
 	return errors / times if times != 0.0 and is_finite(errors) else NAN
 
 
-## All that the student has chosen, for undo and links; not what was measured.
+## What the student has chosen; not what was measured.
 func to_dictionary() -> Dictionary:
 	return {
 		"problem": problem().id,
@@ -120,25 +135,20 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-func problem_of(stored: Dictionary) -> String:
-	var ids: PackedStringArray = []
-	for some in problems:
-		ids.append(some.id)
-	var wanted := ids.find(str(stored["problem"]))
-	if wanted < 0:
-		return StateCheck.word("problem", str(stored["problem"]), ids)
+func problem_in(stored: Dictionary) -> String:
+	var id: String = stored["problem"]
 	var place: int = stored["situation"]
+	var wanted := place_of(id)
+	if wanted < 0:
+		var ids := problems.map(func(some: ReportProblem) -> String: return some.id)
+		return StateCheck.word("problem", id, ids)
 	var count := _situations_of(problems[wanted]).size()
 	return StateCheck.within("situation", place, 0, count - 1)
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
-	for place in problems.size():
-		if problems[place].id == stored["problem"]:
-			problem_place = place
+	var id: String = stored["problem"]
+	problem_place = place_of(id)
 	situation_place = stored["situation"]
 	is_stability_open = stored["stability"]
 
@@ -157,7 +167,8 @@ func _cases_of(situation: String) -> Array[MeasuredCase]:
 	)
 
 
-# A run that waits for frames of the engine would measure the screen: ./lab report has those.
+# Cases that wait for frames of the engine are left out: here they would measure the screen.
+# `./lab report` has them.
 func _all_cases(of_problem: ReportProblem) -> Array[MeasuredCase]:
 	var id := of_problem.id
 	if not _cases.has(id):

@@ -1,22 +1,21 @@
 @abstract class_name LiveRun
 extends RefCounted
-## Work that is done in small parts while the window stays alive: begun, stopped where it is, gone
-## on with.
+## Work that is done in small parts, so that the window stays alive. It can be stopped and resumed.
 
-## It is to go on. False before it is begun, when it was stopped, and when it is done.
+## Whether the work is under way. False before the start, after a stop, and at the end.
 var is_going := false
 
 ## How many parts there are.
 @abstract func size() -> int
 
-## How many parts have been done.
+## How many parts are done.
 @abstract func done_count() -> int
 
-## Does the part that is next.
+## Does the next part.
 @abstract func do_next() -> void
 
 
-## Does parts for about [param microseconds], at least one; ends by itself after the last.
+## Does parts for about [param microseconds], but at least one; stops after the last part.
 func advance(microseconds: int) -> void:
 	var start := Time.get_ticks_usec()
 	while is_going:
@@ -26,11 +25,11 @@ func advance(microseconds: int) -> void:
 			return
 
 
-## All has been done.
+## Whether all parts are done.
 func is_done() -> bool:
 	return done_count() >= size()
 
 
-## The share of all parts that have been done, 0..1.
+## The share of the parts that are done, 0..1.
 func share() -> float:
 	return float(done_count()) / size()

@@ -2,15 +2,15 @@ class_name MeasuringRun
 extends LiveRun
 ## The methods of one problem in one situation, measured one after the other.
 
-## So many runs of each method are made; their median counts, and only then it is shown: a flight
-## may be flown in parts, and has no error before the last.
+## Runs of each method. The median run time counts. A method is shown after its last run: some
+## methods fly a part of their flight in each run and have no error before the end.
 const ROUNDS := 5
 
 var _cases: Array[MeasuredCase] = []
 var _runs := 0
 
 
-## A run over these cases, none of them run yet.
+## Will run these cases, none of which has been run before.
 func _init(cases: Array[MeasuredCase]) -> void:
 	_cases = cases
 
@@ -31,12 +31,12 @@ func do_next() -> void:
 	_runs += 1
 
 
-## The method that is measured next, or was last.
+## The method that is measured next; at the end, the last one.
 func method_in_turn() -> String:
 	return _case_in_turn().method
 
 
-## The methods in their order, each once.
+## The methods in the order of the cases, each once.
 func methods() -> PackedStringArray:
 	var found: PackedStringArray = []
 	for case in _cases:

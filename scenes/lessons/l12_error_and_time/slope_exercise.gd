@@ -1,12 +1,12 @@
 class_name SlopeExercise
 extends Exercise
-## Asks what can be read off a plot of error over run time, with fresh numbers: the order of a
-## method, what a smaller error costs, who is on the frontier.
+## Asks for what can be read from a plot of error over run time: the order of a method, the run time
+## of a smaller error, the number of methods on the frontier.
 
 ## What is asked for.
 enum Kind { ORDER, COST, FRONTIER }
 
-## The numbers of the question: run time in µs, error in px, one after the other.
+## The points of the question: run time in µs and error in px of the first one, then of the next.
 var points: PackedFloat64Array = []
 
 

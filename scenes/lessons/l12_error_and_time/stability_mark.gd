@@ -1,14 +1,13 @@
 class_name StabilityMark
 extends Control
-## What became of a case, by sign and colour: a tick, a cross, or an empty ring as long as it was
-## not tried.
+## The outcome of a case, by sign and colour: a tick, a cross, or an empty ring before it is tried.
 
-## What can have become of it.
+## What a case can come to.
 enum Outcome { WAITING, PASSED, FAILED }
 
 const _RADIUS := 15.0
 
-## What is shown.
+## The outcome that is shown.
 var outcome := Outcome.WAITING:
 	set(value):
 		outcome = value

@@ -1,6 +1,6 @@
 class_name StabilityRow
 extends HBoxContainer
-## A case of the stability table: sign, what is tried, what must hold, the figure.
+## A row of the stability table: a mark, what is tried, what must hold, the figure that was found.
 
 @onready var _mark: StabilityMark = %Mark
 @onready var _title: Label = %Title
@@ -8,7 +8,7 @@ extends HBoxContainer
 @onready var _figure: Label = %Figure
 
 
-## Shows a case and what became of it; null before it was tried.
+## Shows a case with its result; null before it is tried.
 func show_case(case: StabilityCase, result: StabilityResult) -> void:
 	_title.text = case.title
 	if case.quick_form:
@@ -23,6 +23,6 @@ func show_case(case: StabilityCase, result: StabilityResult) -> void:
 		_mark.outcome = StabilityMark.Outcome.FAILED
 
 
-## What the row shows as having become of its case.
+## The outcome that the row shows.
 func outcome() -> StabilityMark.Outcome:
 	return _mark.outcome

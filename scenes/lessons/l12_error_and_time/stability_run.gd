@@ -4,11 +4,11 @@ extends LiveRun
 
 ## The cases in the order of the table.
 var cases: Array[StabilityCase] = []
-## What became of those that have been tried, in the same order.
+## The results of the cases that have been tried, in the same order.
 var results: Array[StabilityResult] = []
 
 
-## A run over these cases.
+## Will try these cases.
 func _init(of_cases: Array[StabilityCase]) -> void:
 	cases = of_cases
 
@@ -28,7 +28,7 @@ func do_next() -> void:
 	results.append(cases[results.size()].run(true))
 
 
-## How many of those tried hold.
+## How many of the tried cases hold.
 func passed_count() -> int:
 	var count := 0
 	for result in results:
@@ -36,7 +36,7 @@ func passed_count() -> int:
 	return count
 
 
-## The place of the first case tried that does not hold; 0 where all hold.
+## The place of the first tried case that does not hold; 0 where all hold.
 func first_failure() -> int:
 	for place in results.size():
 		if not results[place].passed:

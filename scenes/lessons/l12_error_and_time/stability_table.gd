@@ -1,7 +1,7 @@
 class_name StabilityTable
 extends ScrollContainer
-## The table of stiff and extreme cases on the board, a row a case: follows the one that was tried
-## last, and in the end goes to the first that does not hold, or to the top.
+## The table of stiff and extreme cases on the board, one row a case. It scrolls to the case that
+## was tried last; at the end to the first one that does not hold, or to the top.
 
 const _ROW := preload("res://scenes/lessons/l12_error_and_time/stability_row.tscn")
 
@@ -10,7 +10,7 @@ var _shown := 0
 @onready var _rows: VBoxContainer = %Rows
 
 
-## Shows the cases of [param run] and what became of them.
+## Shows the cases of [param run] with their results.
 func show_run(run: StabilityRun) -> void:
 	if _rows.get_child_count() == 0:
 		for case in run.cases:

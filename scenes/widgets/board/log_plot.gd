@@ -1,32 +1,42 @@
+@tool
 class_name LogPlot
 extends Control
-## A plot with two logarithmic axes, such as error over run time: points that tell in words what
-## they are when they are pointed at with mouse, finger, keys or gamepad, and the frontier of those
-## that no other beats.
+## A plot with two logarithmic axes, such as error over run time. A point that is pointed at, with
+## mouse, finger, keys or gamepad, shows a card with words. A dashed line marks the frontier: the
+## points that no other beats.
 
 ## The student pointed at the point with this place in the list; -1 for none any more.
 signal point_chosen(index: int)
 
-# A pointer this close to a point, in pixels, means it.
+# How far from a point, in pixels, the pointer still chooses it.
 const _REACH := 30.0
 const _MARGIN_LEFT := 86.0
 const _MARGIN := 14.0
 const _FOOT := 52.0
 const _FONT_SIZE := 16
-# From a point to its card.
+# Pixels from a point to its card.
 const _BESIDE := 16.0
-# The same where that place hides other points.
+# The same for the places that are tried next, if the nearest ones hide other points.
 const _FURTHER := 90.0
-# A longer line of the card is broken.
+# Longer lines of the card are wrapped, in pixels.
 const _WIDEST := 400.0
+
+## The name of the x axis: source text.
+@export var x_title := "":
+	set(value):
+		x_title = value
+		_name_plot()
+## The name of the y axis: source text.
+@export var y_title := "":
+	set(value):
+		y_title = value
+		_name_plot()
 
 var _area := LogPlotArea.new()
 var _legend := PlotLegend.new()
 var _points: Array[PlotPoint] = []
 var _frontier: PackedInt32Array = []
 var _hollow: Array[bool] = []
-var _x_title := ""
-var _y_title := ""
 var _chosen := -1
 
 @onready var _card: PanelContainer = %Card
@@ -38,14 +48,6 @@ func _ready() -> void:
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
 	_lay()
-
-
-## Names both axes, translated.
-func name_axes(x_title: String, y_title: String) -> void:
-	_x_title = x_title
-	_y_title = y_title
-	accessibility_name = tr("%s over %s") % [y_title, x_title]
-	queue_redraw()
 
 
 ## Names the series, translated, and says which have hollow marks; the numbers of [PlotPoint] count
@@ -84,6 +86,13 @@ func pixel_of(index: int) -> Vector2:
 	return _area.pixel(_points[index])
 
 
+func _name_plot() -> void:
+	queue_redraw()
+	# The editor would save it.
+	if not Engine.is_editor_hint():
+		accessibility_name = tr("%s over %s") % [tr(y_title), tr(x_title)]
+
+
 func _lay() -> void:
 	var top := _legend.height(size.x - 2.0 * _MARGIN) + 2.0 * _MARGIN + 24.0
 	var corner := Vector2(_MARGIN_LEFT, top)
@@ -108,12 +117,12 @@ func _draw() -> void:
 
 func _draw_titles() -> void:
 	var field := _area.field
-	_write(_y_title + "  ↓ " + tr("closer"), Vector2(_MARGIN, field.position.y - 14.0), 0.0)
+	_write(tr(y_title) + "  ↓ " + tr("closer"), Vector2(_MARGIN, field.position.y - 14.0), 0.0)
 	var right := Vector2(field.end.x, size.y - 10.0)
-	_write("← " + tr("faster") + "   " + _x_title, right, 1.0)
+	_write("← " + tr("faster") + "   " + tr(x_title), right, 1.0)
 
 
-# A thin line joins the settings of each method: its slope is what a smaller step is worth.
+# A thin line joins the settings of each method: its slope shows what a smaller step gains.
 func _draw_series() -> void:
 	for series in _hollow.size():
 		var pixels: PackedVector2Array = []
@@ -125,7 +134,7 @@ func _draw_series() -> void:
 			draw_polyline(pixels, Color(PlotMark.color(series), 0.4), 1.5, true)
 
 
-# A staircase: right of it and above it somebody is both faster and closer.
+# A staircase: for each place to the right and above, some point is both faster and closer.
 func _draw_frontier() -> void:
 	var color := Palette.color(Palette.Role.INK)
 	for i in _frontier.size():
@@ -164,7 +173,7 @@ func _point_at(mouse: InputEventMouse) -> void:
 		_choose(nearest)
 
 
-# To the next point in the order of `place`; points at the same place follow each other, too.
+# To the next point in the order of `place`; points at the same place come one after the other.
 func _go(direction: int, place: Callable) -> void:
 	accept_event()
 	if _points.is_empty():
@@ -184,7 +193,8 @@ func _choose(index: int) -> void:
 
 
 func _show_card() -> void:
-	_card.visible = _chosen >= 0
+	if _card.visible != (_chosen >= 0):
+		_card.visible = _chosen >= 0
 	if _chosen < 0:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
@@ -203,8 +213,8 @@ func _width_of_longest(lines: PackedStringArray) -> float:
 	return ceilf(longest)
 
 
-# Above or below the point, to its right or left, near or further: where the card hides the fewest
-# others.
+# The card is put above or below the point, to its right or left, near or further away: where it
+# hides the fewest other points.
 func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
 	var best := Vector2.ZERO
 	var fewest := _points.size() + 1

@@ -1,6 +1,6 @@
 extends BallLessonTest
 ## Drives the lesson on angled lines: keys of the course, drawing, moving and deleting lines,
-## dragging the ball, steps back, situations, mistakes, undo and reset.
+## dragging the ball, steps back, presets, mistakes, undo and reset.
 
 
 func before_each() -> void:
@@ -12,6 +12,39 @@ func test_it_starts_with_the_next_bounce_worked_out() -> void:
 	assert_string_contains(formula_lines()[2], "v − (1 + C) (v · n) n = (")
 	assert_eq(_shown_now(), [true, true] as Array[bool])
 	assert_eq(_world().frames, 0)
+
+
+func test_the_scene_starts_with_the_assignment_of_the_course() -> void:
+	assert_eq(WorldState.of(_world()), WorldState.of(AngledLinesPresets.world_of(0)))
+
+
+func test_the_start_is_read_from_the_scene() -> void:
+	var drawing := frame().lesson.get_node("%Drawing") as AngledLinesDrawing
+	(frame().lesson.get_node("%Lines") as LineViews).ends = [Vector2(-50, 90), Vector2(50, 80)]
+	var balls := frame().lesson.get_node("%Balls") as BallsView
+	balls.centers = [Vector2(10, -20), Vector2(40, -20)]
+	balls.velocities = [Vector2(3, 4), Vector2(0, 0.5)]
+	balls.radius = 7.5
+	(frame().lesson.get_node("%Gravity") as GravityArrow).gravity = Vector2(-20, 0)
+	var world := drawing.world_at_start(0.25)
+	assert_eq(world.surroundings.segments.size(), 1)
+	assert_vec2(world.surroundings.segments[0].end, Vec2.new(50, 80), 0.0)
+	assert_vec2(world.surroundings.gravity, Vec2.new(-20, 0), 0.0)
+	assert_eq(world.surroundings.bounciness, 0.25)
+	assert_eq(world.balls.size(), 2)
+	assert_eq(world.balls[1].radius, 7.5)
+	assert_vec2(world.balls[0].velocity, Vec2.new(3, 4), 0.0)
+
+
+func test_a_start_that_cannot_be_is_an_error() -> void:
+	var drawing := frame().lesson.get_node("%Drawing") as AngledLinesDrawing
+	(frame().lesson.get_node("%Lines") as LineViews).ends = [Vector2(-50, 90)]
+	(frame().lesson.get_node("%Balls") as BallsView).centers = [Vector2(900, 0), Vector2(0, 0)]
+	drawing.world_at_start(1.5)
+	assert_push_error("there cannot be 1 ends")
+	assert_push_error("2 balls cannot have 1 velocities")
+	assert_push_error("within -800..800 px")
+	assert_push_error("within 0..1, not 1.5")
 
 
 func test_a_drag_on_the_empty_board_draws_a_line_and_undo_takes_it_away() -> void:
@@ -135,21 +168,21 @@ func test_play_runs_and_the_step_buttons_pause() -> void:
 	assert_eq(_world().frames, frames)
 
 
-func test_space_after_a_click_on_a_situation_is_slow_motion() -> void:
+func test_space_after_a_click_on_a_preset_is_slow_motion() -> void:
 	await click_button("6 Diagonal")
 	await student.press(&"lab_slow")
 	var slow := frame().lesson.services[&"transport"].get_node("%Slow") as Button
 	assert_true(slow.button_pressed)
-	assert_eq(_model().scene, 6)
+	assert_eq(_model().preset, 6)
 
 
-func test_every_digit_puts_up_its_situation() -> void:
-	for scene: int in 10:
-		await student.press(StringName("lab_preset_%d" % scene))
-		assert_eq(_model().scene, scene)
+func test_every_digit_puts_up_its_preset() -> void:
+	for preset: int in 10:
+		await student.press(StringName("lab_preset_%d" % preset))
+		assert_eq(_model().preset, preset)
 
 
-func test_reset_goes_back_to_the_start_of_the_situation_picked() -> void:
+func test_reset_goes_back_to_the_start_of_the_preset_picked() -> void:
 	await student.press(&"lab_preset_6")
 	var first := _world().state()
 	await student.press(&"lab_step")

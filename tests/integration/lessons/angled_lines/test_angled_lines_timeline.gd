@@ -79,10 +79,10 @@ func test_frames_and_scrubbing_lead_to_the_same_place() -> void:
 	assert_vec2(_model().ball().position, there, 1e-9)
 
 
-func test_all_balls_of_every_situation_play_in_the_event_world() -> void:
+func test_all_balls_of_every_preset_play_in_the_event_world() -> void:
 	await _choose_event_world()
-	for scene: int in [3, 7, 8]:
-		await student.press(StringName("lab_preset_%d" % scene))
+	for preset: int in [3, 7, 8]:
+		await student.press(StringName("lab_preset_%d" % preset))
 		await student.press(&"lab_pause")
 		for i: int in 30:
 			await get_tree().process_frame

@@ -16,6 +16,18 @@ func test_it_measures_by_itself_and_tells_of_the_closest_point() -> void:
 	assert_eq(_plot().chosen(), _frontier()[-1])
 
 
+func test_the_scene_says_which_problem_is_measured_first() -> void:
+	var ids: PackedStringArray = []
+	for problem: ReportProblem in _model().problems:
+		ids.append(problem.id)
+	var offered := ""
+	for property: Dictionary in frame().lesson.get_property_list():
+		if property["name"] == "first_problem":
+			offered = property["hint_string"]
+	assert_eq(offered, ",".join(ids), "the editor offers every problem")
+	assert_eq(_model().problem().id, "ball_in_box")
+
+
 func test_points_appear_one_by_one_while_the_window_stays_alive() -> void:
 	var counts: Array[int] = []
 	while _run().is_going:

@@ -20,6 +20,20 @@ func test_the_first_sight_tells_what_happens_in_each_field() -> void:
 	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
 
 
+func test_the_start_is_read_from_the_scene_of_a_field() -> void:
+	var field := _field("RoundCaps")
+	(field.get_node("%Shot") as DraggableVector).lay(Vec2.new(1, 2), Vec2.new(4, 6))
+	(field.get_node("%Line") as DraggableVector).lay(Vec2.new(-5, 7), Vec2.new(5, 7))
+	(field.get_node("%StartBall") as BallView).radius = 2.5
+	var model := LineEndsModel.new()
+	(frame().lesson.get_node("%Drawing") as LineEndsDrawing).put_start(model)
+	assert_vec2(model.start, Vec2.new(1, 2), 0.0)
+	assert_vec2(model.motion, Vec2.new(3, 4), 0.0)
+	assert_vec2(model.segment.start, Vec2.new(-5, 7), 0.0)
+	assert_vec2(model.segment.end, Vec2.new(5, 7), 0.0)
+	assert_eq(model.radius, 2.5)
+
+
 func test_dragging_the_shot_in_one_field_moves_it_in_all() -> void:
 	for field_name: String in _SMALL_FIELDS + (["RoundCaps"] as Array[String]):
 		var before := _numbers("shot")

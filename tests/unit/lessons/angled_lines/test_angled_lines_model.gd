@@ -1,44 +1,62 @@
 extends LabTest
-## Tests of the lesson on angled lines: situations, mistakes, past, what is entered, questions.
+## Tests of the lesson on angled lines: presets, mistakes, past, what is entered, questions.
 
 
-func test_every_situation_has_balls_inside_and_lines() -> void:
-	for scene: int in AngledLinesScenes.TITLES.size():
+func test_every_preset_has_balls_inside_and_lines() -> void:
+	for preset: int in AngledLinesPresets.TITLES.size():
 		var model := AngledLinesModel.new()
-		model.set_up(scene)
+		model.set_up(preset)
 		var world := model.world
-		assert_gt(world.surroundings.segments.size(), 3, AngledLinesScenes.TITLES[scene])
+		assert_gt(world.surroundings.segments.size(), 3, AngledLinesPresets.TITLES[preset])
 		assert_eq(world.lost_count(), 0)
 
 
-func test_one_ten_and_fifty_balls_are_among_the_situations() -> void:
+func test_the_first_preset_is_the_world_that_the_lesson_has_at_the_start() -> void:
+	var first := AngledLinesPresets.world_of(9)
+	first.surroundings.set_bounciness(0.25)
+	var model := AngledLinesModel.new(first)
+	assert_eq(model.world.surroundings.bounciness, 0.25)
+	model.step()
+	model.set_up(5)
+	var linked := model.link_state()
+	model.set_up(0)
+	assert_eq(WorldState.of(model.world), WorldState.of(first))
+	var kept_bounciness: float = model.link_base(linked, {"scene": 0})["bounciness"]
+	assert_eq(kept_bounciness, 0.25)
+	model.set_bounciness(1.0)
+	var again := AngledLinesModel.new()
+	again.from_dictionary(model.reset_state({}))
+	assert_eq(WorldState.of(again.world), WorldState.of(first))
+
+
+func test_one_ten_and_fifty_balls_are_among_the_presets() -> void:
 	var counts: Array[int] = []
-	for scene: int in [0, 7, 8]:
+	for preset: int in [0, 7, 8]:
 		var model := AngledLinesModel.new()
-		model.set_up(scene)
+		model.set_up(preset)
 		counts.append(model.world.balls.size())
 	assert_eq(counts, [1, 10, 50] as Array[int])
 
 
-func test_in_no_situation_a_ball_overlaps_a_line_at_the_start() -> void:
-	for scene: int in AngledLinesScenes.TITLES.size():
+func test_in_no_preset_a_ball_overlaps_a_line_at_the_start() -> void:
+	for preset: int in AngledLinesPresets.TITLES.size():
 		var model := AngledLinesModel.new()
-		model.set_up(scene)
+		model.set_up(preset)
 		var deepest := INF
 		for ball: Ball in model.world.balls:
 			for line: LineSegment in model.world.surroundings.segments:
 				var gap := line.closest_point(ball.position).distance_to(ball.position)
 				deepest = minf(deepest, gap - ball.radius)
-		assert_gt(deepest, -1e-9, AngledLinesScenes.TITLES[scene])
+		assert_gt(deepest, -1e-9, AngledLinesPresets.TITLES[preset])
 
 
-func test_no_ball_is_lost_and_no_energy_in_ten_seconds_of_any_situation() -> void:
-	for scene: int in AngledLinesScenes.TITLES.size():
+func test_no_ball_is_lost_and_no_energy_in_ten_seconds_of_any_preset() -> void:
+	for preset: int in AngledLinesPresets.TITLES.size():
 		var model := AngledLinesModel.new()
-		model.set_up(scene)
-		for frame: int in 600 if scene != 8 else 120:
+		model.set_up(preset)
+		for frame: int in 600 if preset != 8 else 120:
 			model.step()
-		assert_eq(model.world.losses, 0, AngledLinesScenes.TITLES[scene])
+		assert_eq(model.world.losses, 0, AngledLinesPresets.TITLES[preset])
 		if model.world.surroundings.bounciness == 1.0:
 			assert_almost_eq(model.energy_share(model.world), 1.0, 1e-9)
 
@@ -52,7 +70,7 @@ func test_once_a_second_all_balls_of_the_cradle_are_back() -> void:
 	assert_vec2(model.world.balls[4].position, before, 1e-6)
 
 
-func test_position_reset_loses_the_ball_of_the_tunnelling_situation() -> void:
+func test_position_reset_loses_the_ball_of_the_tunnelling_preset() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(5)
 	model.set_method(SteppingMethods.Method.POSITION_RESET)
@@ -119,7 +137,7 @@ func test_a_stored_model_put_back_runs_on_the_same() -> void:
 		model.step()
 		other.step()
 	assert_eq(other.world.state(), model.world.state())
-	assert_eq(other.scene, 7)
+	assert_eq(other.preset, 7)
 
 
 func test_arrow_keys_keep_the_strength_of_gravity() -> void:
@@ -141,7 +159,7 @@ func test_gravity_too_strong_for_one_axis_is_refused() -> void:
 
 func test_a_jammed_ball_is_told_by_the_step_and_by_the_comparison() -> void:
 	var model := AngledLinesModel.new()
-	model.take(_jammed())
+	model.put_up(_jammed())
 	var comparison := MethodComparison.new()
 	comparison.begin(model.world)
 	comparison.advance(100_000, AngledLinesModel.FRAME)
@@ -157,19 +175,19 @@ func test_a_jammed_ball_is_told_by_the_step_and_by_the_comparison() -> void:
 
 func test_typed_numbers_arrive_and_wrong_ones_are_refused() -> void:
 	var model := AngledLinesModel.new()
-	assert_eq(AngledLinesEntry.enter(model, "vy", -55.5), "")
+	assert_eq(AngledLinesFormula.enter(model, "vy", -55.5), "")
 	assert_vec2(model.ball().velocity, Vec2.new(160.0, -55.5), 0.0)
-	assert_eq(AngledLinesEntry.enter(model, "gx", 12.0), "")
+	assert_eq(AngledLinesFormula.enter(model, "gx", 12.0), "")
 	assert_vec2(model.world.surroundings.gravity, Vec2.new(12.0, 300.0), 0.0)
-	assert_string_contains(AngledLinesEntry.enter(model, "C", 1.5), "0..1, not 1.5")
-	assert_string_contains(AngledLinesEntry.enter(model, "px", 5000.0), "-800..800")
+	assert_string_contains(AngledLinesFormula.enter(model, "C", 1.5), "0..1, not 1.5")
+	assert_string_contains(AngledLinesFormula.enter(model, "px", 5000.0), "-800..800")
 	assert_eq(model.world.surroundings.bounciness, 1.0)
 
 
 func test_there_is_room_for_sixty_lines_only() -> void:
 	var model := AngledLinesModel.new()
 	var lines := model.lines()
-	while lines.size() < AngledLinesModel.MOST_LINES + 1:
+	while lines.size() < AngledLinesLink.MOST_LINES + 1:
 		lines.append(LineSegment.new(Vec2.new(), Vec2.new(5.0, 5.0)))
 	assert_string_contains(model.set_lines(lines), "room for 60 lines")
 	assert_eq(model.lines().size(), 10)

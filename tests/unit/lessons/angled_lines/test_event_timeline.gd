@@ -142,9 +142,9 @@ func test_a_stored_moment_is_put_back() -> void:
 	assert_not_null(other.timeline)
 
 
-func _model(scene: int) -> AngledLinesModel:
+func _model(preset: int) -> AngledLinesModel:
 	var model := AngledLinesModel.new()
-	model.set_up(scene)
+	model.set_up(preset)
 	model.set_method(SteppingMethods.Method.EVENT_WORLD)
 	return model
 

@@ -103,15 +103,15 @@ func test_every_name_of_every_problem_is_known_to_the_translation() -> void:
 	var unknown: Array[String] = []
 	for text in _all_names():
 		if not text in unknown and RegEx.create_from_string("\\p{L}{3}").search(text):
-			if not known.has(MeasuredWords.pattern(text)):
+			if not known.has(MeasuredTexts.pattern(text)):
 				unknown.append(text)
-	assert_eq(unknown, [] as Array[String], "belongs into measured_words.gd")
+	assert_eq(unknown, [] as Array[String], "belongs into measured_texts.gd")
 
 
 func test_numbers_in_a_name_stay_as_they_are() -> void:
 	for text: String in ["240 steps a second", "1e-30 to 1e30 px", "m 1:2.5, 100 % of it"]:
-		assert_eq(MeasuredWords.of(text), text)
-	assert_eq(MeasuredWords.pattern("1e-30 to 1e30 px"), "%s to %s px")
+		assert_eq(MeasuredTexts.of(text), text)
+	assert_eq(MeasuredTexts.pattern("1e-30 to 1e30 px"), "%s to %s px")
 
 
 func _model() -> ErrorAndTimeModel:
@@ -142,7 +142,7 @@ func _all_names() -> PackedStringArray:
 	var names: PackedStringArray = []
 	for problem in ReportProblems.all():
 		names.append_array([problem.run_time_axis, problem.error_axis])
-		assert_ne(MeasuredWords.title(problem.id), problem.id, "a title for " + problem.id)
+		assert_ne(MeasuredTexts.title(problem.id), problem.id, "a title for " + problem.id)
 		for case in problem.cases(true) + EngineCases.of(problem.id, true, host):
 			names.append_array([case.method, case.situation, case.tuning, case.error_unit])
 			case.finish()

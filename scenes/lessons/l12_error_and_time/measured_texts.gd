@@ -1,10 +1,9 @@
-class_name MeasuredWords
+class_name MeasuredTexts
 extends RefCounted
-## What the measured problems, methods and settings are called, for readers of any language: the
-## names themselves stand in tables and files, in English.
+## The names of the measured problems, methods and settings, translated. Tables and files have the
+## names themselves, in English.
 ##
-## Numbers in a name are left out of what is translated: `240 steps a second` is looked up as
-## `%s steps a second`.
+## A name is looked up without its numbers: `240 steps a second` as `%s steps a second`.
 
 # Titles of the problems by their id: source text.
 const _TITLES: Dictionary[String, String] = {
@@ -87,6 +86,16 @@ const _NUMBER := "(?<![\\w.])\\d+(?:[.,]\\d+)*(?:e-?\\d+)?"
 static func title(id: String) -> String:
 	var known: String = _TITLES.get(id, id)
 	return TranslationServer.translate(known)
+
+
+## The titles of [param problems], in their order.
+static func titles(problems: Array[ReportProblem]) -> PackedStringArray:
+	return problems.map(func(problem: ReportProblem) -> String: return title(problem.id))
+
+
+## Each of [param names] as [method of] has it.
+static func all_of(names: PackedStringArray) -> PackedStringArray:
+	return Array(names).map(of)
 
 
 ## A name in the reader's language, with its numbers.

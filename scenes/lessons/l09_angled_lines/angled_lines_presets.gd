@@ -1,9 +1,9 @@
-class_name AngledLinesScenes
+class_name AngledLinesPresets
 extends RefCounted
-## The ready-made situations of the lesson on angled lines: the course's scenes of week 3 on the
-## keys 0 to 9.
+## The presets of the lesson on angled lines: the course's scenes of week 3, on the keys 0 to 9.
+## In the lesson, preset 0 is what its scene has at the start.
 
-## What each is called, by its key: source text.
+## The title of each preset, by its key: source text.
 const TITLES: PackedStringArray = [
 	"Assignment",
 	"Corner, slow",
@@ -66,42 +66,39 @@ const _DOWN := Vector2i(0, 300)
 const _NONE := Vector2i(0, 0)
 
 
-## Puts the situation [param number], 0 to 9, into [param world].
-static func set_up(number: int, world: SteppedWorld) -> void:
+## The world of the preset [param number], 0 to 9, at its start.
+static func world_of(number: int) -> SteppedWorld:
 	match number:
-		0:
-			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, [_ball(-200, -120, 160, 0, 12)])
 		1:
-			_fill(world, _BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 240, 30, 12)])
+			return _world(_BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 240, 30, 12)])
 		2:
-			_fill(world, _BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 7200, 900, 12)])
+			return _world(_BOX + _CORNER, _NONE, 1.0, [_ball(-240, 0, 7200, 900, 12)])
 		3:
-			_fill(world, _BOX + _STACK, _DOWN, 0.5, _row_of_balls())
+			return _world(_BOX + _STACK, _DOWN, 0.5, _row_of_balls())
 		4:
-			_set_up_cradle(world)
+			return _cradle()
 		5:
-			_fill(world, _WALLS + _BOX, _NONE, 1.0, [_ball(-150, -5, 6600, 600, 12)])
+			return _world(_WALLS + _BOX, _NONE, 1.0, [_ball(-150, -5, 6600, 600, 12)])
 		6:
-			_fill(world, _BOX + _DIAGONAL, _NONE, 1.0, [_ball(-220, 20, 240, 0, 16)])
+			return _world(_BOX + _DIAGONAL, _NONE, 1.0, [_ball(-220, 20, 240, 0, 16)])
 		7:
-			_fill(world, _BOX + _ASSIGNMENT, _DOWN, 1.0, _swarm(10, 9, _BOX + _ASSIGNMENT))
+			return _world(_BOX + _ASSIGNMENT, _DOWN, 1.0, _swarm(10, 9, _BOX + _ASSIGNMENT))
 		8:
-			_fill(world, _BOX + _MANY, _DOWN, 1.0, _swarm(50, 6, _BOX + _MANY))
+			return _world(_BOX + _MANY, _DOWN, 1.0, _swarm(50, 6, _BOX + _MANY))
 		9:
-			_fill(world, _BOX, _DOWN, 1.0, [_ball(-150, -110, 60, 0, 14)])
+			return _world(_BOX, _DOWN, 1.0, [_ball(-150, -110, 60, 0, 14)])
+	return _world(_BOX + _ASSIGNMENT, _DOWN, 1.0, [_ball(-200, -120, 160, 0, 12)])
 
 
-static func _fill(
-	world: SteppedWorld,
-	lines: Array[Vector4i],
-	gravity: Vector2i,
-	bounciness: float,
-	balls: Array[Ball]
-) -> void:
+static func _world(
+	lines: Array[Vector4i], gravity: Vector2i, bounciness: float, balls: Array[Ball]
+) -> SteppedWorld:
+	var world := SteppedWorld.new(WholeFrameMover.new())
 	Refusal.push(world.surroundings.set_segments(_segments(lines)))
 	Refusal.push(world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y)))
 	Refusal.push(world.surroundings.set_bounciness(bounciness))
 	Refusal.push(world.set_balls(balls))
+	return world
 
 
 static func _segments(lines: Array[Vector4i]) -> Array[LineSegment]:
@@ -119,8 +116,8 @@ static func _row_of_balls() -> Array[Ball]:
 	return [_ball(-190, -130, 0, 0, 12), _ball(-150, -130, 0, 0, 12), _ball(-110, -130, 0, 0, 12)]
 
 
-# Balls in a sunflower's order, so that none is on top of another, each in a direction of its own.
-# A place on a line is left out.
+# Balls in the order of a sunflower's seeds, so that they do not overlap, each in a direction of its
+# own. Places where a ball would overlap a line stay empty.
 static func _swarm(count: int, radius: int, lines: Array[Vector4i]) -> Array[Ball]:
 	var segments := _segments(lines)
 	var balls: Array[Ball] = []
@@ -141,9 +138,9 @@ static func _is_clear(place: Vec2, radius: float, segments: Array[LineSegment]) 
 	return true
 
 
-# Five cells in a row, tilted by the 7-24-25 triangle, so that all numbers are short. The ball in
-# cell k goes to and fro k times a second: once a second all are back at the same side.
-static func _set_up_cradle(world: SteppedWorld) -> void:
+# Five cells in a row, tilted by the triangle 7, 24, 25, so that all numbers are short. The ball in
+# cell k goes to and fro k times a second: once a second all balls are back on the same side.
+static func _cradle() -> SteppedWorld:
 	var along := Vec2.new(0.96, 0.28)
 	var lines: Array[LineSegment] = []
 	var balls: Array[Ball] = []
@@ -154,5 +151,6 @@ static func _set_up_cradle(world: SteppedWorld) -> void:
 		if wall > 0:
 			var start := foot.minus(along.scaled(98.0))
 			balls.append(Ball.new(start, 12.0, along.scaled(172.0 * wall)))
-	_fill(world, [], _NONE, 1.0, balls)
+	var world := _world([], _NONE, 1.0, balls)
 	Refusal.push(world.surroundings.set_segments(lines))
+	return world
