@@ -10,11 +10,18 @@ extends Control
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
 signal edited
+## Everything is about to be shown after a complete change: the time to fit a view and to measure.
+signal settled
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
 ## The services that the frame has brought, by the names in [member LessonInfo.needs].
 var services: Dictionary[StringName, Control] = {}
+
+## The step that is shown, counted from 0; 0 in a lesson without steps.
+var step: int:
+	get:
+		return services[&"steps"].get(&"step") if services.has(&"steps") else 0
 
 var _kept_model: LessonModel
 var _show_again: Callable
@@ -72,6 +79,12 @@ func on_drag(moved: Signal, released: Signal, change: Callable) -> void:
 	released.connect(finish)
 
 
+## When a number in the formula is typed over, [param change] gets its name and its new value; the
+## change is complete.
+func on_enter(change: Callable) -> void:
+	on_edit(Signal(services[&"formula"], &"number_entered"), change)
+
+
 ## When [param wire] is emitted, [param change] changes the model; nothing is kept for undo.
 func on_move(wire: Signal, change: Callable) -> void:
 	wire.connect(
@@ -114,10 +127,17 @@ func show_all() -> void:
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
+	settled.emit()
 	for service: Control in services.values():
 		if service.has_method(&"show_picked"):
 			service.call(&"show_picked", _kept_model.to_dictionary())
 	_show_again.call()
+
+
+## Tells these translated sentences, one for each step. Comes before [member step] is read: the last
+## step is shown first.
+func tell_steps(sentences: PackedStringArray) -> void:
+	services[&"steps"].call(&"tell", sentences)
 
 
 ## Stops what moves by itself, where the lesson has a transport.

@@ -15,7 +15,6 @@ var _formula: ClassOrValueFormula
 var _before: Vec2
 var _has_sums := false
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _position: DraggableVector = %Position
 @onready var _value: DraggableVector = %Value
@@ -31,20 +30,9 @@ func start() -> void:
 	_model.remember_and_move(remembered, _position.head_point().minus(_left))
 	_let_drag(_position, _left)
 	_let_drag(_value, _right)
-	_fill_panel()
-	begin(_model, _show, _reach)
-
-
-func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
-	on_drag(vector.moved, vector.released, _move.bind(origin))
-	vector.released.connect(func() -> void: _before = null)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = ClassOrValueFormula.new(formula)
-	on_edit(formula.number_entered, _model.enter)
-	_steps.open_at(_SUM_STEP - 1)
+	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
+	on_enter(_model.enter)
+	(services[&"steps"] as Steps).open_at(_SUM_STEP - 1)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Remember now"))
@@ -52,6 +40,12 @@ func _fill_panel() -> void:
 	on_edit(options.preset_picked, _model.remember.unbind(1))
 	var kinds := SharingExercise.Kind.size()
 	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
+	begin(_model, _show, _reach)
+
+
+func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
+	on_drag(vector.moved, vector.released, _move.bind(origin))
+	vector.released.connect(func() -> void: _before = null)
 
 
 # What the student does.
@@ -86,17 +80,17 @@ func _show() -> void:
 	_value.lay(_right, _right.plus(Vec2.from_vector2(_model.value)))
 	_old.lay(_left, _left.plus(_model.old))
 	_old_value.lay(_right, _right.plus(Vec2.from_vector2(_model.old_value)))
-	_old.visible = _steps.step >= 1
-	_old_value.visible = _steps.step >= 1
-	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), _steps.step))
-	_formula.show_model(_model, _steps.step)
-	_steps.tell(ClassOrValueTexts.sentences(_model.copies))
+	_old.visible = step >= 1
+	_old_value.visible = step >= 1
+	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
+	_formula.show_model(_model, step)
+	tell_steps(ClassOrValueTexts.sentences(_model.copies))
 	_show_sums()
 
 
 # Two million additions take a moment: they wait until the step that shows them.
 func _show_sums() -> void:
-	_readout.visible = _steps.step >= _SUM_STEP
+	_readout.visible = step >= _SUM_STEP
 	if _has_sums or not _readout.visible:
 		return
 	_has_sums = true

@@ -19,7 +19,6 @@ var _model := EasyBounceModel.new()
 var _formula: EasyBounceFormula
 var _readout: EasyBounceReadout
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _drawing: EasyBounceDrawing = %Drawing
 @onready var _line: DraggableVector = %Line
@@ -41,11 +40,10 @@ func start() -> void:
 
 
 func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = EasyBounceFormula.new(formula)
-	on_edit(formula.number_entered, _enter)
+	_formula = EasyBounceFormula.new(services[&"formula"] as Formula)
+	on_enter(_enter)
 	_readout = EasyBounceReadout.new(services[&"readout"] as Readout)
-	_steps.open_at(EasyBounceTexts.Step.BOUNCE)
+	(services[&"steps"] as Steps).open_at(EasyBounceTexts.Step.BOUNCE)
 	_transport.advanced.connect(_advance)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("is_wall", tr("Wall instead of floor"))
@@ -120,18 +118,18 @@ func _show_exercise(exercise: BounceExercise) -> void:
 func _seen_points() -> Array[Vec2]:
 	var ball := _model.ball
 	var line := _model.line()
-	var is_bounce := _steps.step == EasyBounceTexts.Step.BOUNCE
+	var is_bounce := step == EasyBounceTexts.Step.BOUNCE
 	var corner := Vec2.from_vector2(_CORNER_OF_BOUNCE if is_bounce else _CORNER_OF_FRAME)
 	return [corner, ball.position, ball.position.plus(ball.velocity), line.start, line.end]
 
 
 func _show() -> void:
 	var moved := _model.moved_ball(_model.frame())
-	_drawing.show_model(_model, _steps.step)
+	_drawing.show_model(_model, step)
 	_ball.place_ball(moved.position, moved.radius)
 	_head.place(moved.position.plus(moved.velocity))
-	_head.visible = EasyBounceTexts.needs_velocity(_steps.step)
-	_formula.show_model(_model, moved, _steps.step)
+	_head.visible = EasyBounceTexts.needs_velocity(step)
+	_formula.show_model(_model, moved, step)
 	_readout.show_model(_model, moved)
-	_verdict.show_model(_model, moved, _steps.step)
-	_steps.tell(EasyBounceTexts.sentences(_model))
+	_verdict.show_model(_model, moved, step)
+	tell_steps(EasyBounceTexts.sentences(_model))

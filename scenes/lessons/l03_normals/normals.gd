@@ -3,14 +3,6 @@ extends Lesson
 ##
 ## Where the line lies at the start is in the scene: V begins and ends with it.
 
-## Presets by their titles (source text): what each changes in the model's state.
-const _PRESETS: Dictionary[String, Dictionary] = {
-	"(3, 1)": {line = [0.0, 0.0, 3.0, 1.0], times = 2.0},
-	"(3, −2)": {line = [0.0, 0.0, 3.0, -2.0], times = 2.0},
-	"(3, −4)": {line = [0.0, 0.0, 3.0, -4.0], times = 2.0},
-	"In pixels": {line = [-40.0, 60.0, 200.0, -10.0], times = 60.0},
-	"Zero": {line = [0.0, 0.0, 0.0, 0.0], times = 2.0},
-}
 ## The line that shows a mistake best, by the number of the mistake; none for the others.
 const _EXAMPLES: Dictionary[int, Dictionary] = {
 	NormalsMistakes.ZERO_VECTOR: {line = [0.0, 0.0, 0.0, 0.0]},
@@ -26,7 +18,6 @@ var _formula: NormalsFormula
 var _before: NormalsModel
 var _is_dragged := false
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: NormalsDrawing = %Drawing
 @onready var _v: DraggableVector = %V
@@ -40,20 +31,15 @@ func start() -> void:
 	_v.released.connect(func() -> void: _is_dragged = false)
 	# The card moves to another corner only when the view is fitted, not during a drag.
 	board.view_changed.connect(func() -> void: _verdict.stand_behind(_model))
-	_fill_panel()
-	begin(_model, _show, _model.points_to_show)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = NormalsFormula.new(formula)
-	on_edit(formula.number_entered, _enter)
+	_formula = NormalsFormula.new(services[&"formula"] as Formula)
+	on_enter(_enter)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("is_y_up", tr("y points up"))
-	options.offer_presets(_PRESETS)
+	options.offer_presets(NormalsModel.PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(NormalsMistakes.infos())
 	(services[&"question"] as Question).offer(NormalExercise.fresh, NormalExercise.Kind.size())
 	on_pick(_pick)
+	begin(_model, _show, _model.points_to_show)
 
 
 # Undo, reset and links do not tell what was before.
@@ -91,10 +77,10 @@ func _pick(changes: Dictionary) -> String:
 
 func _show() -> void:
 	board.is_y_up = _model.is_y_up
-	_steps.tell(NormalsTexts.sentences(_model))
-	_drawing.show_model(_model, _steps.step)
+	tell_steps(NormalsTexts.sentences(_model))
+	_drawing.show_model(_model, step)
 	_drawing.show_before(_before)
-	_formula.show_model(_model, _steps.step)
+	_formula.show_model(_model, step)
 	_verdict.show_model(_model, _before)
 	_show_way("normal", "Vec2.normal()", _model.v().normal)
 	_show_way("angle", tr("by the angle"), NormalByAngle.unit.bind(_model.v()))

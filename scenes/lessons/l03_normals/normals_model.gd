@@ -7,6 +7,15 @@ extends LessonModel
 ## What a change did to the line.
 enum Change { NONE, MOVED, STRETCHED, TURNED }
 
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"(3, 1)": {line = [0.0, 0.0, 3.0, 1.0], times = 2.0},
+	"(3, −2)": {line = [0.0, 0.0, 3.0, -2.0], times = 2.0},
+	"(3, −4)": {line = [0.0, 0.0, 3.0, -4.0], times = 2.0},
+	"In pixels": {line = [-40.0, 60.0, 200.0, -10.0], times = 60.0},
+	"Zero": {line = [0.0, 0.0, 0.0, 0.0], times = 2.0},
+}
+
 ## Two directions count as the same where their unit vectors differ by at most this.
 const SAME_DIRECTION := 1e-9
 

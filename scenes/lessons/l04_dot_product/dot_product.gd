@@ -5,19 +5,9 @@ extends Lesson
 ## The sweep turns the shadowed vector this fast, in degrees a second.
 const _SWEEP_SPEED := 30.0
 
-## Presets by their titles (source text): what each changes in the model's state.
-const _PRESETS: Dictionary[String, Dictionary] = {
-	"Lecture": {a = [7, 1], a_from = [0, 0], b = [8, -6], b_from = [0, 0]},
-	"Right angle": {a = [4, 3], a_from = [0, 0], b = [6, -8], b_from = [0, 0]},
-	"Obtuse": {a = [-5, 2], a_from = [0, 0], b = [8, -6], b_from = [0, 0]},
-	"Huge": {a = [4e15, 3e15], a_from = [0, 0], b = [6e15, -8e15], b_from = [0, 0]},
-	"Zero": {a = [7, 1], a_from = [0, 0], b = [0, 0], b_from = [0, 0]},
-}
-
 var _model := DotProductModel.new()
 var _formula: DotProductFormula
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: DotProductDrawing = %Drawing
 @onready var _a: DraggableVector = %A
@@ -34,22 +24,17 @@ func start() -> void:
 	on_drag(_a.moved, _a.released, _move_a)
 	on_drag(_b.moved, _b.released, _move_b)
 	on_drag(_plot.x_pointed, _plot.released, _turn_to)
-	_fill_panel()
-	begin(_model, _show, _model.ends)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = DotProductFormula.new(formula)
-	on_edit(formula.number_entered, _enter_number)
+	_formula = DotProductFormula.new(services[&"formula"] as Formula)
+	on_enter(_enter_number)
 	on_move((services[&"transport"] as Transport).advanced, _sweep)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("normalizes", tr("Normalize"))
 	options.add_switch("is_swapped", tr("b on a"))
-	options.offer_presets(_PRESETS)
-	var question := services[&"question"] as Question
-	question.offer(ProjectionExercise.fresh, ProjectionExercise.Kind.size(), 1)
+	options.offer_presets(DotProductModel.PRESETS)
+	var kinds := ProjectionExercise.Kind.size()
+	(services[&"question"] as Question).offer(ProjectionExercise.fresh, kinds, 1)
 	on_pick(_model.take)
+	begin(_model, _show, _model.ends)
 
 
 # What the student does.
@@ -86,9 +71,9 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 
 func _show() -> void:
-	_steps.tell(DotProductTexts.sentences(_model))
-	_drawing.show_model(_model, _steps.step)
-	_formula.show_model(_model, _steps.step)
+	tell_steps(DotProductTexts.sentences(_model))
+	_drawing.show_model(_model, step)
+	_formula.show_model(_model, step)
 	_show_verdict()
 	_show_plot()
 	_show_calls()

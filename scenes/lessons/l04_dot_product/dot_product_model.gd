@@ -4,6 +4,15 @@ extends LessonModel
 ##
 ## Each vector has a tail and a head, in units; what is computed depends on head minus tail alone.
 
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Lecture": {a = [7, 1], a_from = [0, 0], b = [8, -6], b_from = [0, 0]},
+	"Right angle": {a = [4, 3], a_from = [0, 0], b = [6, -8], b_from = [0, 0]},
+	"Obtuse": {a = [-5, 2], a_from = [0, 0], b = [8, -6], b_from = [0, 0]},
+	"Huge": {a = [4e15, 3e15], a_from = [0, 0], b = [6e15, -8e15], b_from = [0, 0]},
+	"Zero": {a = [7, 1], a_from = [0, 0], b = [0, 0], b_from = [0, 0]},
+}
+
 ## Tail and head of vector a.
 var a_tail := Vec2.new()
 var a_head := Vec2.new(7.0, 1.0)

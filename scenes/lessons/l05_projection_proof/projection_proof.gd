@@ -7,21 +7,11 @@ extends Lesson
 const _TURN_SECONDS := 2.0
 const _STEP_TURN_SECONDS := 1.0
 
-## Presets by their titles (source text): what each changes in the model's state.
-const _PRESETS: Dictionary[String, Dictionary] = {
-	"Lecture": {a = [7.0, 1.0], b = [8.0, -6.0]},
-	"One bit": {a = [5.0, 1.0], b = [3.0, 4.0]},
-	"Obtuse": {a = [-5.0, 2.0], b = [8.0, -6.0]},
-	"Right angle": {a = [3.0, 4.0], b = [8.0, -6.0]},
-	"Zero": {a = [7.0, 1.0], b = [0.0, 0.0]},
-}
-
 var _model := ProjectionProofModel.new()
 var _formula: ProjectionProofFormula
 # The share of the turn that the step asks for; _process turns the drawing until it is reached.
 var _wanted_share := 1.0
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: ProjectionProofDrawing = %Drawing
@@ -41,24 +31,19 @@ func start() -> void:
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _model.set_a(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _model.set_b(board.snapped_to_step(at)))
 	_plot.x_pointed.connect(_turn_to)
-	_fill_panel()
+	_formula = ProjectionProofFormula.new(services[&"formula"] as Formula)
+	(services[&"options"] as LessonOptions).offer_presets(ProjectionProofModel.PRESETS)
+	var kinds := TurningExercise.Kind.size()
+	(services[&"question"] as Question).offer(TurningExercise.fresh, kinds)
+	(services[&"steps"] as Steps).step_changed.connect(_turn_for_step)
+	_transport.advanced.connect(_run)
+	on_enter(_model.enter)
+	on_pick(_model.take)
 	begin(_model, _show, _model.points_to_show)
 
 
 func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
-
-
-func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = ProjectionProofFormula.new(formula)
-	(services[&"options"] as LessonOptions).offer_presets(_PRESETS)
-	var kinds := TurningExercise.Kind.size()
-	(services[&"question"] as Question).offer(TurningExercise.fresh, kinds)
-	_steps.step_changed.connect(_turn_for_step)
-	_transport.advanced.connect(_run)
-	on_edit(formula.number_entered, _model.enter)
-	on_pick(_model.take)
 
 
 # The turn is not part of the state: undo and reset change the vectors, and the turn goes on.
@@ -92,9 +77,9 @@ func _run(seconds: float) -> void:
 	_show_turn()
 
 
-func _turn_for_step(step: int) -> void:
+func _turn_for_step(to: int) -> void:
 	pause()
-	_wanted_share = 0.0 if step == ProjectionProofTexts.Step.WANTED else 1.0
+	_wanted_share = 0.0 if to == ProjectionProofTexts.Step.WANTED else 1.0
 	set_process(true)
 
 
@@ -110,7 +95,7 @@ func _process(delta: float) -> void:
 
 
 func _show() -> void:
-	_steps.tell(ProjectionProofTexts.sentences(_model))
+	tell_steps(ProjectionProofTexts.sentences(_model))
 	_formula.show_model(_model)
 	_show_verdict()
 	_show_way("turned", tr("x of a′"), _model.x_of_turned_a)
@@ -120,8 +105,8 @@ func _show() -> void:
 
 # What changes during the turn; the results do not.
 func _show_turn() -> void:
-	_drawing.show_model(_model, _steps.step)
-	_formula.show_turn(_model, _steps.step)
+	_drawing.show_model(_model, step)
+	_formula.show_turn(_model, step)
 	var x_at := func(percent: float) -> float: return _model.x_at_share(percent / 100.0)
 	_plot.show_function(x_at, _model.a.length(), _model.turned_share * 100.0)
 
@@ -132,7 +117,7 @@ func _show_verdict() -> void:
 	var sign_text := "=" if is_equal else "≈"
 	if not _model.has_direction():
 		sign_text = "0"
-	var is_last := _steps.step == ProjectionProofTexts.Step.COMPARE
+	var is_last := step == ProjectionProofTexts.Step.COMPARE
 	_verdict.visible = is_last or not _model.has_direction()
 	_verdict.show_verdict(sign_text, role, ProjectionProofTexts.comparison(_model))
 

@@ -5,6 +5,15 @@ extends LessonModel
 ## The turn is by -beta, beta being the angle of b. While it is under way, a share of it is carried
 ## out. Components in units, angles in radians.
 
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Lecture": {a = [7.0, 1.0], b = [8.0, -6.0]},
+	"One bit": {a = [5.0, 1.0], b = [3.0, 4.0]},
+	"Obtuse": {a = [-5.0, 2.0], b = [8.0, -6.0]},
+	"Right angle": {a = [3.0, 4.0], b = [8.0, -6.0]},
+	"Zero": {a = [7.0, 1.0], b = [0.0, 0.0]},
+}
+
 ## The vector whose shadow is looked for.
 var a := Vec2.new(7.0, 1.0)
 ## The vector on which the shadow falls.

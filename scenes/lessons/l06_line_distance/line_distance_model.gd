@@ -3,6 +3,16 @@ extends LessonModel
 ## A ball and a line without ends: how far one is from the other, measured from any point of the
 ## line.
 
+const _LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Free": {line = _LINE, ball = [120.0, -35.0, 30.0], from_share = 0.7},
+	"Too close": {line = _LINE, ball = [75.0, 25.0, 30.0], from_share = 0.8},
+	"Behind": {line = _LINE, ball = [24.0, 93.0, 30.0], from_share = 0.8},
+	"Past the end": {line = _LINE, ball = [263.0, 166.0, 30.0], from_share = 0.6},
+	"Far p": {line = _LINE, ball = [120.0, -35.0, 30.0], from_share = -0.4},
+}
+
 ## The line; its ends only say where it is drawn, and where [method segment_distance] ends.
 var line := LineSegment.new(Vec2.new(200.0, 150.0), Vec2.new(-200.0, -150.0))
 ## The ball, at rest.

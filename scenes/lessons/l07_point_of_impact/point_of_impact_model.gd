@@ -6,6 +6,23 @@ extends LessonModel
 ## What the two distances say of the frame.
 enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALLEL }
 
+const _LINE: PackedFloat64Array = [60.0, 45.0, -60.0, -45.0]
+const _LONG_LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
+## Presets by their titles (source text): what each changes in the model's state. The speeds are
+## those of the course's scenes, in pixels per frame.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Course": {old = [6.0, -58.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
+	"10 px": {old = [6.0, -13.0], new = [6.0, -3.0], line = _LINE, radius = 10.0},
+	"38 px": {old = [6.0, -27.0], new = [6.0, 11.0], line = _LINE, radius = 10.0},
+	"72 px": {old = [6.0, -44.0], new = [6.0, 28.0], line = _LINE, radius = 10.0},
+	"500 px": {old = [6.0, -258.0], new = [6.0, 242.0], line = _LONG_LINE, radius = 10.0},
+	"Not yet": {old = [6.0, -58.0], new = [6.0, -20.5], line = _LINE, radius = 10.0},
+	"Inside": {old = [3.0, -4.0], new = [3.0, 21.0], line = _LINE, radius = 10.0},
+	"Away": {old = [12.0, -16.0], new = [12.0, -66.0], line = _LINE, radius = 10.0},
+	"Leaving": {old = [3.0, -4.0], new = [3.0, -29.0], line = _LINE, radius = 10.0},
+	"Along": {old = [-34.0, -88.0], new = [46.0, -28.0], line = _LINE, radius = 10.0},
+}
+
 # A wrong fraction of the frame larger than this does not make the board smaller.
 const _LARGEST_SHOWN_FRACTION := 20.0
 

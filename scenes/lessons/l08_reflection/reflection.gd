@@ -2,22 +2,12 @@ extends Lesson
 ## The lesson on the law of reflection and the bounciness: subtract the part along the normal.
 ## Velocity, line and bounciness at the start are in the scene: the handles there show them.
 
-## Presets by their titles (source text): what each changes in the model's state.
-const _PRESETS: Dictionary[String, Dictionary] = {
-	"Lecture": {velocity = [3, 4], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
-	"C = 0.5": {velocity = [3, 4], along = [-7, 0], bounciness = 0.5, has_unit_normal = true},
-	"Angled": {velocity = [0, 5], along = [-8, -6], bounciness = 1.0, has_unit_normal = true},
-	"Head on": {velocity = [0, 5], along = [-7, 0], bounciness = 0.8, has_unit_normal = true},
-	"Along": {velocity = [4, 0], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
-}
-
 ## The length of the normal where its switch is off: one of length 1 is taken by default.
 @export_range(0.001, 100.0, 0.001, "or_greater") var normal_length := 2.0
 
 var _model := ReflectionModel.new()
 var _formula: ReflectionFormula
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: ReflectionDrawing = %Drawing
@@ -37,26 +27,22 @@ func start() -> void:
 	_on_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
 	_on_drag(%NormalHead as Handle, _drag_normal)
 	_on_drag(_leaving_head, _drag_leaving)
-	_fill_panel()
+	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("has_unit_normal", tr("Normal of length 1"))
+	options.offer_presets(ReflectionModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
+	var kinds := ReflectionExercise.Kind.size()
+	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
+	on_enter(_enter)
+	on_pick(_take)
+	# While the ball flies, nothing else has to be shown anew.
+	_transport.advanced.connect(_fly)
 	begin(_model, _show, _spanned_points)
 
 
 func _on_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
-
-
-func _fill_panel() -> void:
-	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("has_unit_normal", tr("Normal of length 1"))
-	options.offer_presets(_PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
-	var kinds := ReflectionExercise.Kind.size()
-	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
-	on_edit((services[&"formula"] as Formula).number_entered, _enter)
-	on_pick(_take)
-	# While the ball flies, nothing else has to be shown anew.
-	_transport.advanced.connect(_fly)
 
 
 # What the student does.
@@ -78,7 +64,7 @@ func _drag_normal(head: Vec2) -> void:
 
 
 func _drag_leaving(head: Vec2) -> void:
-	_steps.go_to(ReflectionModel.Step.BOUNCE)
+	(services[&"steps"] as Steps).go_to(ReflectionModel.Step.BOUNCE)
 	_model.aim_bounciness(head)
 
 
@@ -127,14 +113,14 @@ func _spanned_points() -> Array[Vec2]:
 
 
 func _show() -> void:
-	_steps.tell(ReflectionTexts.sentences(_model))
+	tell_steps(ReflectionTexts.sentences(_model))
 	_drawing.show_model(_model, _step())
 	_formula.show_model(_model, _step())
 	_show_call()
 
 
 func _step() -> ReflectionModel.Step:
-	return _steps.step as ReflectionModel.Step
+	return step as ReflectionModel.Step
 
 
 func _show_call() -> void:

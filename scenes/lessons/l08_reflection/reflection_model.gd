@@ -9,6 +9,15 @@ extends LessonModel
 ## subtracted.
 enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
 
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Lecture": {velocity = [3, 4], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
+	"C = 0.5": {velocity = [3, 4], along = [-7, 0], bounciness = 0.5, has_unit_normal = true},
+	"Angled": {velocity = [0, 5], along = [-8, -6], bounciness = 1.0, has_unit_normal = true},
+	"Head on": {velocity = [0, 5], along = [-7, 0], bounciness = 0.8, has_unit_normal = true},
+	"Along": {velocity = [4, 0], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
+}
+
 ## The flight begins this many seconds before the ball touches the line; the time is then negative.
 const START := -1.2
 ## The flight ends this many seconds after the ball has touched the line.

@@ -27,6 +27,7 @@ func start() -> void:
 	_fill_options(%Keys as AngledLinesKeys)
 	_fill_panel()
 	_connect_player()
+	settled.connect(_settle)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.outline(_model))
 
 
@@ -76,9 +77,8 @@ func _fill_options(keys: AngledLinesKeys) -> void:
 
 
 func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = AngledLinesFormula.new(formula)
-	on_edit(formula.number_entered, _enter_number)
+	_formula = AngledLinesFormula.new(services[&"formula"] as Formula)
+	on_enter(_enter_number)
 	_readout = AngledLinesReadout.new(services[&"readout"] as Readout)
 	var mistakes := services[&"mistakes"] as Mistakes
 	mistakes.add_all(AngledLinesMistakes.all())
@@ -130,11 +130,10 @@ func _enter_number(name_in_line: String, value: float) -> String:
 # What the student sees.
 
 
-## After a complete change the arrow of the velocity is scaled, and the comparison begins anew.
-func show_all() -> void:
+# After a complete change the arrow of the velocity is scaled, and the comparison begins anew.
+func _settle() -> void:
 	_drawing.scale_arrow(_model)
 	_readout.begin(_model.world)
-	super()
 
 
 func _show() -> void:

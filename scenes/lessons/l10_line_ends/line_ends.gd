@@ -10,7 +10,6 @@ var _formula: LineEndsFormula
 var _readout: LineEndsReadout
 
 @onready var _drawing: LineEndsDrawing = %Drawing
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _transport: Transport = services.get(&"transport")
 
 
@@ -20,13 +19,13 @@ func start() -> void:
 	on_drag(_drawing.line_moved, _drawing.line_released, _model.set_line)
 	_transport.advanced.connect(_advance)
 	_fill_panel()
+	settled.connect(func() -> void: _drawing.fit(_model))
 	begin(_model, _show)
 
 
 func _fill_panel() -> void:
-	var formula := services[&"formula"] as Formula
-	_formula = LineEndsFormula.new(formula)
-	on_edit(formula.number_entered, _enter_number)
+	_formula = LineEndsFormula.new(services[&"formula"] as Formula)
+	on_enter(_enter_number)
 	_readout = LineEndsReadout.new(services[&"readout"] as Readout)
 	var options := services[&"options"] as LessonOptions
 	options.add_presets(LineEndsPresets.SHOTS.keys())
@@ -68,20 +67,14 @@ func _advance(seconds: float) -> void:
 	_model.fraction = clampf(_model.fraction + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
 	if _model.fraction >= 1.0:
 		_transport.is_playing = false
-	_drawing.show_model(_model, _steps.step)
+	_drawing.show_model(_model, step)
 
 
 # What the student sees.
 
 
-## Here it fits the boards of the five fields.
-func show_all() -> void:
-	_drawing.fit(_model)
-	super()
-
-
 func _show() -> void:
-	_steps.tell(LineEndsTexts.sentences())
-	_drawing.show_model(_model, _steps.step)
-	_formula.show_model(_model, _steps.step)
+	tell_steps(LineEndsTexts.sentences())
+	_drawing.show_model(_model, step)
+	_formula.show_model(_model, step)
 	_readout.show_model(_model)

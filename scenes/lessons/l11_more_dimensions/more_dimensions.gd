@@ -2,13 +2,6 @@ extends Lesson
 ## The lesson on more dimensions: the same dot product with three and four components. The
 ## components at the start are those of the bars in the scene, the view is that of the picture.
 
-## Presets by their titles (source text): what each changes in the model's state.
-const _PRESETS: Dictionary[String, Dictionary] = {
-	"Acute": {a = [4, -3, 2, 1], b = [2, -4, -1, 3]},
-	"Right angle": {a = [4, -3, 2, 1], b = [1, -2, -5, 0]},
-	"Obtuse": {a = [4, -3, 2, 1], b = [-3, 2, 1, -4]},
-	"Flat": {a = [7, 1, 0, 0], b = [8, -6, 0, 0]},
-}
 # Pixels between the card and the bars below it.
 const _GAP := 8.0
 
@@ -17,7 +10,6 @@ var _formula: MoreDimensionsFormula
 # The vector as it was when the drag of its head began; empty while there is none.
 var _held: PackedFloat64Array = []
 
-@onready var _steps: Steps = services.get(&"steps")
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _picture: SpacePicture = %Picture
 @onready var _bars: ComponentBars = %Bars
@@ -38,19 +30,16 @@ func start() -> void:
 	_picture.head_released.connect(func() -> void: _held = [])
 	# While the view turns, no number changes.
 	_picture.turned.connect(_turn)
-	_fill_panel()
-	begin(_model, _show)
-
-
-func _fill_panel() -> void:
 	_formula = MoreDimensionsFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_four", tr("Four components"))
-	options.offer_presets(_PRESETS)
+	options.offer_presets(MoreDimensionsModel.PRESETS)
 	var kinds := ComponentExercise.Kind.size()
 	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
-	on_edit((services[&"formula"] as Formula).number_entered, _model.enter)
+	on_enter(_model.enter)
 	on_pick(_model.take)
+	settled.connect(_fit)
+	begin(_model, _show)
 
 
 # What the student does.
@@ -77,11 +66,10 @@ func _turn(yaw: float, pitch: float) -> void:
 # What the student sees.
 
 
-func show_all() -> void:
+func _fit() -> void:
 	_arrange()
 	_picture.fit_model(_model)
 	_bars.fit_model(_model)
-	super()
 
 
 # Three axes fit into a picture; with four, the bars take its place, below the card.
@@ -95,14 +83,14 @@ func _arrange() -> void:
 
 
 func _show() -> void:
-	_steps.tell(MoreDimensionsTexts.sentences())
-	_formula.show_model(_model, _steps.step)
+	tell_steps(MoreDimensionsTexts.sentences())
+	_formula.show_model(_model, step)
 	_picture.show_model(_model)
 	_bars.show_model(_model)
-	_stairs.visible = _steps.step >= MoreDimensionsTexts.Step.PRODUCTS
+	_stairs.visible = step >= MoreDimensionsTexts.Step.PRODUCTS
 	_stairs.products = _model.products()
-	_stairs.shows_sum = _steps.step >= MoreDimensionsTexts.Step.SUM
-	_card.visible = _steps.step >= MoreDimensionsTexts.Step.SIGN
+	_stairs.shows_sum = step >= MoreDimensionsTexts.Step.SUM
+	_card.visible = step >= MoreDimensionsTexts.Step.SIGN
 	_verdict.text = MoreDimensionsTexts.verdict(_model)
 	_hint.text = MoreDimensionsTexts.hint(_model)
 	_show_calls()

@@ -5,6 +5,14 @@ extends LessonModel
 ## What the sign of the dot product says of the angle.
 enum Side { OBTUSE = -1, RIGHT = 0, ACUTE = 1 }
 
+## Presets by their titles (source text): what each changes in the model's state.
+const PRESETS: Dictionary[String, Dictionary] = {
+	"Acute": {a = [4, -3, 2, 1], b = [2, -4, -1, 3]},
+	"Right angle": {a = [4, -3, 2, 1], b = [1, -2, -5, 0]},
+	"Obtuse": {a = [4, -3, 2, 1], b = [-3, 2, 1, -4]},
+	"Flat": {a = [7, 1, 0, 0], b = [8, -6, 0, 0]},
+}
+
 ## This many components are kept; with three, the last one does not count.
 const MOST := 4
 ## No component is larger in size than this, so that products stay exact enough to be compared.

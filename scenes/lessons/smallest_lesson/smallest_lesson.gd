@@ -28,7 +28,7 @@ class LengthModel:
 func start() -> void:
 	_drag(_v.tail_point(), _v.head_point())
 	on_drag(_v.moved, _v.released, _drag)
-	on_edit(_formula.number_entered, _enter)
+	on_enter(_enter)
 	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
 
 
