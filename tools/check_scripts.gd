@@ -10,9 +10,10 @@ const ERROR := 2
 
 
 func _init() -> void:
-	_turn_warnings_into_errors()
-	# Godot takes over changed settings at the end of a frame.
-	await process_frame
+	if _turn_warnings_into_errors():
+		# Godot takes the settings over in a deferred call. That call comes before the first
+		# process_frame only if this frame has a physics step, so one frame may be too short.
+		await ProjectSettings.settings_changed
 	var failed := 0
 	var scripts := _scripts_below("res://")
 	for path: String in scripts:
@@ -35,14 +36,17 @@ func _passes(path: String) -> bool:
 	return script != null and (script.can_instantiate() or script.is_abstract())
 
 
-## Warnings that the project has switched off stay off.
-func _turn_warnings_into_errors() -> void:
-	if WITH_ADDONS in OS.get_cmdline_user_args():
+## Warnings that the project has switched off stay off. Returns whether a setting has changed.
+func _turn_warnings_into_errors() -> bool:
+	var changed := WITH_ADDONS in OS.get_cmdline_user_args()
+	if changed:
 		ProjectSettings.set_setting(WARNINGS + "directory_rules", {})
 	for property: Dictionary in ProjectSettings.get_property_list():
 		var setting: String = property["name"]
 		if setting.begins_with(WARNINGS) and is_same(ProjectSettings.get_setting(setting), WARN):
 			ProjectSettings.set_setting(setting, ERROR)
+			changed = true
+	return changed
 
 
 func _scripts_below(folder: String) -> PackedStringArray:
