@@ -29,6 +29,14 @@ names_of() {
 	echo "$@"
 }
 
+write_presets() {
+	local log=$LAB_BUILD/write_presets.log status=0
+	run_script export/write_presets.gd >"$log" || status=$?
+	grep '^lab: ' "$log" >&2 || true
+	engine_messages "$log" >&2
+	[ "$status" -eq 0 ] || die 1 "the export presets could not be written; all that Godot said is in $log"
+}
+
 # A stopped export leaves Godot's lists of classes and ids as the pack wanted them: the next import mends them.
 forget_import() { rm -f "$LAB_ROOT/.godot/lab_imported"; }
 
@@ -81,7 +89,7 @@ if [ "$1" != presets ]; then
 fi
 prepare_project
 make_build_folder
-run_script export/write_presets.gd | grep '^lab: ' >&2 || [ "${PIPESTATUS[0]}" -eq 0 ] || exit 1
+write_presets
 [ "$1" != presets ] || exit 0
 names=$(names_of "${@:2}")
 

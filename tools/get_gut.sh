@@ -8,7 +8,7 @@ set -euo pipefail
 
 place=$LAB_ROOT/addons/gut
 cached=$LAB_CACHE/gut-$GUT_VERSION
-stand_in=$LAB_ROOT/tools/gut_standin
+stand_in=$LAB_ROOT/addons/gut_standin/as_gut
 
 is_gut() { grep -qs "^version=\"$GUT_VERSION\"" "$1/plugin.cfg"; }
 is_stand_in() { grep -qs 'version=".*stand-in"' "$place/plugin.cfg"; }

@@ -20,7 +20,7 @@ is_up_to_date() {
 is_up_to_date && exit
 say "importing the project"
 make_build_folder
-if ! "$godot" --headless --path "$LAB_ROOT" --import >"$log" 2>&1 </dev/null || [ -n "$(engine_messages "$log")" ]; then
+if ! "$godot" --headless --path "$LAB_ROOT" --import >"$log" 2>&1 </dev/null || [ -n "$(messages_of_editor "$log")" ]; then
 	grep -vE '^.?\[|^$' "$log" >&2
 	die 1 "the project does not import cleanly; all that Godot said is in $log"
 fi

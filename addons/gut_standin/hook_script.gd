@@ -1,4 +1,3 @@
-class_name GutHookScript
 extends RefCounted
 ## Base of the scripts that run before the first and after the last test.
 

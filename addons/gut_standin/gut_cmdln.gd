@@ -2,6 +2,7 @@ extends SceneTree
 ## The command line of the stand-in, with GUT's options.
 
 const CommandLine := preload("command_line.gd")
+const Runner := preload("gut_main.gd")
 
 
 func _init() -> void:
@@ -13,7 +14,7 @@ func _init() -> void:
 		return
 	# The tree is complete from the first frame on.
 	await process_frame
-	var gut := GutMain.new()
+	var gut := Runner.new()
 	gut.options = options
 	root.add_child(gut)
 	quit(await gut.run())

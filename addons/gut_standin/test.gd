@@ -1,4 +1,3 @@
-class_name GutTest
 extends "error_asserts.gd"
 ## The base of all tests, with the part of GUT's GutTest that Vec2 Lab's tests use.
 

@@ -2,6 +2,7 @@ extends RefCounted
 ## Finds the test scripts, and the tests in them.
 
 const CollectedScript := preload("collected_script.gd")
+const TestScript := preload("test.gd")
 
 var scripts: Array[CollectedScript] = []
 
@@ -31,7 +32,7 @@ func add_script(path: String) -> void:
 func _is_test(script: GDScript) -> bool:
 	var base := script
 	while base != null:
-		if base == GutTest:
+		if base == TestScript:
 			return script.can_instantiate()
 		base = base.get_base_script()
 	return false

@@ -1,15 +1,16 @@
-class_name GutMain
 extends Node
 ## Runs the collected tests one after the other, as GUT does.
 
 const CollectedScript := preload("collected_script.gd")
 const CollectedTest := preload("collected_test.gd")
 const ErrorTracker := preload("error_tracker.gd")
+const HookScript := preload("hook_script.gd")
 const JunitWriter := preload("junit_writer.gd")
 const CommandLine := preload("command_line.gd")
 const ParameterHandler := preload("parameter_handler.gd")
 const RunnerLog := preload("runner_log.gd")
 const RunSummary := preload("run_summary.gd")
+const TestScript := preload("test.gd")
 const TestCollector := preload("test_collector.gd")
 
 var options: CommandLine
@@ -110,7 +111,7 @@ func _is_asked_for(script: CollectedScript) -> bool:
 func _run_hook(path: String) -> int:
 	if path.is_empty():
 		return -1
-	var hook: GutHookScript = (load(path) as GDScript).new()
+	var hook: HookScript = (load(path) as GDScript).new()
 	hook.gut = self
 	@warning_ignore("redundant_await")
 	await hook.run()
@@ -122,7 +123,7 @@ func _run_script(script: CollectedScript) -> void:
 		script.tests.clear()
 		return
 	logger.heading(script.full_name(), script.tests.size())
-	var instance: GutTest = script.source.new()
+	var instance: TestScript = script.source.new()
 	instance.gut = self
 	add_child(instance)
 	if instance.should_skip_script():
@@ -148,7 +149,7 @@ func _run_around(script: CollectedScript, method: Callable, its_name: String) ->
 	_current = null
 
 
-func _run_test(script: CollectedScript, instance: GutTest, test: CollectedTest) -> void:
+func _run_test(script: CollectedScript, instance: TestScript, test: CollectedTest) -> void:
 	var begun := Time.get_ticks_usec()
 	var id := "%s:%s" % [script.file_and_inner_class(), test.name]
 	logger.show("* " + test.name)
@@ -168,7 +169,7 @@ func _run_test(script: CollectedScript, instance: GutTest, test: CollectedTest) 
 	_current = null
 
 
-func _run_once(instance: GutTest, test_name: String, id: String) -> void:
+func _run_once(instance: TestScript, test_name: String, id: String) -> void:
 	for orphan: int in Node.get_orphan_node_ids():
 		_known_orphans[orphan] = true
 	@warning_ignore("redundant_await")
