@@ -47,11 +47,17 @@ static func staleness(file: String = FILE) -> String:
 	var right := wanted()
 	for section: String in right.get_sections():
 		for key: String in right.get_section_keys(section):
-			if present.get_value(section, key, null) != right.get_value(section, key):
+			if not _is_same(present, right, section, key):
 				return _stale("“%s” is no longer right in [%s]" % [key, section])
 	if present.get_sections().size() != right.get_sections().size():
 		return _stale("it holds presets that no demo has")
 	return ""
+
+
+static func _is_same(a: ConfigFile, b: ConfigFile, section: String, key: String) -> bool:
+	return (
+		a.has_section_key(section, key) and a.get_value(section, key) == b.get_value(section, key)
+	)
 
 
 static func _stale(reason: String) -> String:
