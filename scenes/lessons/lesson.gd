@@ -1,58 +1,147 @@
 @abstract class_name Lesson
-extends Board
-## What every lesson is to the frame around it: a board with a state that can be stored, put back
-## and undone.
+extends Control
+## A lesson: a controller between a model, the board that shows it, and the services in the panel.
 ##
-## The frame adds the services that the lesson's [LessonInfo] needs and then calls [method start].
-## A lesson tells every complete change by the student with [@warning_ignore("unused_signal")
-## signal edited]; the frame then stores [method state] for undo.
+## The frame brings the services that the lesson's [LessonInfo] needs and then calls [method start].
+## There the lesson says what its state is ([method begin]) and how the student changes it:
+## [method on_edit], [method on_drag], [method on_move]. A change that returns a sentence was
+## refused: the sentence is shown, and the model is as it was.
 
-## The student has changed something, and the change is complete: a drag has ended, a number was
-## entered.
-@warning_ignore("unused_signal")
+## The student has made a change that is complete: a drag has ended, a number was entered. The frame
+## keeps [method state] for undo.
 signal edited
-## A sentence for the notice line: what could not be taken and why; "" takes it away.
-@warning_ignore("unused_signal")
+## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
 ## The services that the frame has brought, by the names in [member LessonInfo.needs].
 var services: Dictionary[StringName, Control] = {}
 
+var _kept_model: LessonModel
+var _show_again: Callable
+var _points_to_show: Callable
+
+## The board on which the lesson draws.
+@onready var board: Board = %Board
+
 ## Called once, after the services are there and before the lesson is seen.
 @abstract func start() -> void
 
-## All that undo, reset and links have to know: numbers, texts, arrays and dictionaries of them
-## only.
-@abstract func state() -> Dictionary
 
-## Puts back what [method state] has told. Shows it at once; emits nothing.
-@abstract func show_state(stored: Dictionary) -> void
+# Run alone, as by F6 in the editor, the scene has no frame: the main scene opens it in one.
+func _enter_tree() -> void:
+	if get_tree().current_scene == self:
+		process_mode = PROCESS_MODE_DISABLED
+		LessonRequest.ask(scene_file_path.get_file().get_basename())
+		var main_scene: String = ProjectSettings.get_setting("application/run/main_scene")
+		get_tree().change_scene_to_file.call_deferred(main_scene)
+
+
+## Shows [param model] from now on, by [param show_model]. Undo, reset and links keep its state. The
+## board is fitted to the points that [param points] returns, except during a drag.
+func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
+	_kept_model = model
+	_show_again = show_model
+	_points_to_show = points
+	resized.connect(show_all)
+	for service: Control in services.values():
+		if service.has_signal(&"view_changed"):
+			service.connect(&"view_changed", show_all)
+	show_all()
+
+
+## When [param wire] is emitted, [param change] changes the model; the change is complete.
+func on_edit(wire: Signal, change: Callable) -> void:
+	wire.connect(
+		func(...arguments: Array) -> void:
+			var problem: Variant = change.callv(arguments)
+			finish()
+			_notice(problem)
+	)
+
+
+## While [param moved] is emitted, [param change] changes the model, and what moved by itself is
+## paused; the change is complete when [param released] is emitted.
+func on_drag(moved: Signal, released: Signal, change: Callable) -> void:
+	moved.connect(func(..._arguments: Array) -> void: pause())
+	on_move(moved, change)
+	released.connect(finish)
+
+
+## When [param wire] is emitted, [param change] changes the model; nothing is kept for undo.
+func on_move(wire: Signal, change: Callable) -> void:
+	wire.connect(
+		func(...arguments: Array) -> void:
+			_notice(change.callv(arguments))
+			_show_again.call()
+	)
+
+
+## A change is complete: shows everything and has the frame keep the state for undo.
+func finish() -> void:
+	show_all()
+	edited.emit()
+
+
+## Fits the board and shows the model.
+func show_all() -> void:
+	if _points_to_show:
+		var points: Array[Vec2] = _points_to_show.call()
+		board.fit(points)
+	_show_again.call()
+
+
+## Stops what moves by itself, where the lesson has a transport.
+func pause() -> void:
+	if services.has(&"transport"):
+		services[&"transport"].set(&"is_playing", false)
+
+
+## Lights up the arrows that have the colour of [param role], and no others.
+func light(role: Palette.Role) -> void:
+	board.propagate_call(&"light", [role])
+
+
+## All that undo, reset and links have to know.
+func state() -> Dictionary:
+	return _kept_model.to_dictionary()
+
+
+## Shows what [method state] returned; emits nothing.
+func show_state(stored: Dictionary) -> void:
+	pause()
+	_kept_model.from_dictionary(stored)
+	show_all()
 
 
 ## The state to which reset goes back: [param first], the one at the start, unless a lesson has a
-## nearer one, such as the start of the situation that was picked.
+## nearer one, such as the start of the preset that was picked last.
 func reset_state(first: Dictionary) -> Dictionary:
 	return first
 
 
-## What a link to the board holds: [method state] without the past, of the kinds of values that
+## What a link to the board holds: [method state] without the past, with the kinds of values that
 ## [LessonLink] knows.
 func link_state() -> Dictionary:
 	return state()
 
 
-## What the values are that a link does not name, where [param wanted] is what it wants:
-## [param first], the link state at the start, unless a lesson has a nearer one.
+## The values that a link need not name, where [param wanted] is what it asks for: [param first],
+## the link state at the start, unless a lesson has a nearer one.
 func link_base(first: Dictionary, _wanted: Dictionary) -> Dictionary:
 	return first
 
 
 ## "" if the lesson can show [param linked], a link state with the right names and kinds; else one
-## sentence with the value and what is allowed, translated.
-func link_problem(_linked: Dictionary) -> String:
-	return ""
+## translated sentence with the value and what is allowed.
+func link_problem(linked: Dictionary) -> String:
+	return _kept_model.problem_in(linked) if _kept_model else ""
 
 
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
 	show_state(linked)
+
+
+func _notice(problem: Variant) -> void:
+	if problem is String:
+		noticed.emit(problem)

@@ -39,12 +39,21 @@ static func ids() -> PackedStringArray:
 	return found
 
 
-## The lesson with this id; null where there is none.
+## The lesson with this id; null where there is none. A folder that has the id as its name is found
+## without being in the list: a lesson that is just being written.
 static func find(id: StringName) -> LessonInfo:
 	for lesson in lessons():
 		if lesson.id == id:
 			return lesson
+	if id.is_valid_ascii_identifier() and ResourceLoader.exists(LESSON_FILE % id):
+		return load(LESSON_FILE % id) as LessonInfo
 	return null
+
+
+## One translated sentence for an id that no lesson has.
+static func refusal(id: String) -> String:
+	var sentence := TranslationServer.translate("There is no lesson “%s”. There are: %s.")
+	return sentence % [LessonLink.quoted(id), ", ".join(ids())]
 
 
 ## The lesson's place in the order, from 1, in a demo too; 0 for one that is not in the index.

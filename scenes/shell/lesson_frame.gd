@@ -16,7 +16,8 @@ const _ACTIONS: Array[StringName] = [
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open; set before the frame enters the tree.
+## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
+## one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -41,10 +42,12 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 
 func _ready() -> void:
+	if not lesson_info:
+		lesson_info = LessonIndex.lessons()[0]
 	WindowFit.follow(get_window())
 	_fill_window(true)
 	Signs.add_to_font()
-	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson_info), tr(lesson_info.title)]
+	(%Title as Label).text = _title()
 	_offer_way_back()
 	(%Reset as Button).pressed.connect(_reset)
 	(%CopyLink as Button).pressed.connect(_copy_link)
@@ -105,6 +108,21 @@ func _fill_window(fills: bool) -> void:
 
 
 func _open() -> void:
+	var errors := ErrorCatcher.new()
+	OS.add_logger(errors)
+	_start_lesson()
+	OS.remove_logger(errors)
+	if errors.first:
+		_say_why_not_opened(errors.first)
+		return
+	_first_state = lesson.state()
+	link = BoardLink.new(lesson_info.id, lesson)
+	_open_requested()
+	_last_state = lesson.state()
+	WebPage.follow_fragment(follow_link)
+
+
+func _start_lesson() -> void:
 	lesson = (load(lesson_info.scene_path()) as PackedScene).instantiate() as Lesson
 	for need in lesson_info.needs:
 		lesson.services[StringName(need)] = _add_service(need)
@@ -114,17 +132,34 @@ func _open() -> void:
 	lesson.edited.connect(_store)
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
-	_first_state = lesson.state()
-	link = BoardLink.new(lesson_info.id, lesson)
-	_open_requested()
-	_last_state = lesson.state()
-	WebPage.follow_fragment(follow_link)
+
+
+# In place of the lesson, which may be half built.
+func _say_why_not_opened(why: String) -> void:
+	if lesson:
+		lesson.queue_free()
+	lesson = null
+	var words := Label.new()
+	words.text = tr("The lesson “%s” could not be opened: %s") % [lesson_info.id, why]
+	words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	words.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
+	words.set_anchors_and_offsets_preset(PRESET_FULL_RECT, PRESET_MODE_MINSIZE, 24)
+	var paper := ColorRect.new()
+	paper.color = Palette.PAPER
+	paper.set_anchors_preset(PRESET_FULL_RECT)
+	_board_place.add_child(paper)
+	_board_place.add_child(words)
+	(%NoticePlace as Control).move_to_front()
 
 
 func _add_service(need: String) -> Control:
 	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
 	_announce(service)
 	_services.add_child(service)
+	if service.has_signal(&"refused"):
+		service.connect(&"refused", _show_notice)
+	if service.has_signal(&"role_pointed"):
+		service.connect(&"role_pointed", lesson.light)
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
 	return service
@@ -160,12 +195,22 @@ func _show_state(stored: Dictionary) -> void:
 
 
 func _reset() -> void:
+	if not lesson:
+		return
 	lesson.show_state(lesson.reset_state(_first_state))
 	_store()
 
 
 func _copy_link() -> void:
+	if not lesson:
+		return
 	_show_notice(link.copy())
+
+
+# A lesson that is not in the index has no number.
+func _title() -> String:
+	var number := LessonIndex.number_of(lesson_info)
+	return "%d  %s" % [number, tr(lesson_info.title)] if number > 0 else tr(lesson_info.title)
 
 
 # Opens what was asked for: a state of this lesson's board, or another lesson.
@@ -177,7 +222,7 @@ func _open_requested() -> void:
 	elif other:
 		other_lesson_wanted.emit(other)
 	else:
-		_show_notice(LessonRequest.refusal(id))
+		_show_notice(LessonIndex.refusal(id))
 
 
 # A link that names the lesson alone asks for its start; where nothing was asked it is there.

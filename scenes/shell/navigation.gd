@@ -2,7 +2,6 @@ class_name Navigation
 extends RefCounted
 ## Goes from the start screen to a lesson and back.
 
-const _START_SCREEN := "res://scenes/shell/start_screen.tscn"
 const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
 
 
@@ -15,9 +14,10 @@ static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	_change_scene.call_deferred(tree, frame)
 
 
-## Goes back to the start screen.
+## Goes back to the start screen, the project's main scene.
 static func open_start_screen(tree: SceneTree) -> void:
-	_change_scene.call_deferred(tree, (load(_START_SCREEN) as PackedScene).instantiate())
+	var start_screen: String = ProjectSettings.get_setting("application/run/main_scene")
+	_change_scene.call_deferred(tree, (load(start_screen) as PackedScene).instantiate())
 
 
 static func _change_scene(tree: SceneTree, scene: Node) -> void:

@@ -25,7 +25,7 @@ func open_requested(id: String) -> void:
 	if lesson:
 		Navigation.open_lesson(get_tree(), lesson)
 	else:
-		(%Notice as Label).text = LessonRequest.refusal(id)
+		(%Notice as Label).text = LessonIndex.refusal(id)
 		(%NoticePlace as Control).show()
 
 

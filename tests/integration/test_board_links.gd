@@ -213,7 +213,7 @@ func test_what_a_student_does_comes_back_to_the_last_bit() -> void:
 
 # Drags everything a little by the keys, unevenly, and lets time pass.
 func _play_around() -> void:
-	for handle: Node in get_tree().get_nodes_in_group(Handle.GROUP):
+	for handle: Node in get_tree().get_nodes_in_group(Board.HANDLES):
 		var control := handle as Handle
 		if control.is_visible_in_tree() and control.focus_mode == Control.FOCUS_ALL:
 			control.grab_focus()

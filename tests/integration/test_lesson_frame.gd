@@ -4,6 +4,7 @@ extends ScreenTest
 
 const _CLOCK := preload("res://tests/support/lessons/clock.tres")
 const _STILL := preload("res://tests/support/lessons/still.tres")
+const _BROKEN := preload("res://tests/support/lessons/broken.tres")
 const _ROUND_TRIPS := 10
 
 
@@ -25,6 +26,16 @@ func test_the_panel_holds_the_needed_services_in_their_order() -> void:
 func test_the_title_shows_number_and_name() -> void:
 	await open_lesson(LessonIndex.lessons()[0])
 	assert_reads("1  " + LessonIndex.lessons()[0].title)
+
+
+func test_a_lesson_that_cannot_start_says_so_in_the_window() -> void:
+	await open_lesson(_BROKEN)
+	assert_engine_error("Modulo by zero")
+	assert_reads("The lesson “broken” could not be opened: ")
+	assert_reads("broken.gd:7")
+	for action: StringName in [&"lab_reset", &"lab_copy_link", &"lab_undo"]:
+		await student.press(action)
+	assert_reads("The lesson “broken” could not be opened: ")
 
 
 func test_the_back_button_leads_to_the_start_screen() -> void:

@@ -6,9 +6,11 @@ const _SERVICES := "res://scenes/widgets/services/"
 
 
 func test_the_index_names_every_folder_once_and_no_other() -> void:
-	var folders := DirAccess.get_directories_at(_LESSONS)
+	var folders := Array(DirAccess.get_directories_at(_LESSONS)).filter(
+		func(folder: String) -> bool: return folder != "smallest_lesson"
+	)
 	folders.sort()
-	assert_eq(LessonIndex.FOLDERS, folders)
+	assert_eq(Array(LessonIndex.FOLDERS), folders)
 
 
 func test_folders_are_numbered_in_order_without_a_hole() -> void:

@@ -19,7 +19,7 @@ func ends(letter: String) -> PackedFloat64Array:
 ## Where a point of the plane is on the screen.
 func place(x: float, y: float) -> Vector2:
 	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.to_screen(Vec2.new(x, y))
+	return lesson.get_global_transform() * lesson.board.to_screen(Vec2.new(x, y))
 
 
 ## Drags from one point of the plane to another.

@@ -83,8 +83,6 @@ func _define_formula() -> void:
 	_formula.define_number("value_pair", Palette.Role.B)
 	_formula.define_number("old_value_pair", Palette.Role.UNIT)
 	_formula.number_entered.connect(_enter_number)
-	_formula.role_pointed.connect(_light)
-	_formula.refused.connect(noticed.emit)
 
 
 # What the student does.
@@ -139,17 +137,10 @@ func _finish() -> void:
 func _show_all() -> void:
 	_before = _model.position.copy()
 	var reach := Vec2.new(absf(_model.position.x), absf(_model.position.y))
-	fit([_right.plus(reach), _right.minus(reach)])
+	board.fit([_right.plus(reach), _right.minus(reach)])
 	_options.show_switch("copies", _model.copies)
 	_steps.show_sentences(ClassOrValueTexts.sentences(_model.copies), _step)
 	_show_model()
-
-
-func _light(role: Palette.Role) -> void:
-	_position.light(role == Palette.Role.A)
-	_value.light(role == Palette.Role.B)
-	_old.lit = role == Palette.Role.UNIT
-	_old_value.lit = role == Palette.Role.UNIT
 
 
 func _show_model() -> void:
@@ -181,8 +172,8 @@ func _show_sums() -> void:
 
 
 func _show_sum(key: String, title: String, count: int, sum: Callable) -> void:
-	var begin := Time.get_ticks_usec()
+	var start_usec := Time.get_ticks_usec()
 	var value: float = sum.call(count)
-	var nanoseconds := (Time.get_ticks_usec() - begin) * 1000.0 / count
+	var nanoseconds := (Time.get_ticks_usec() - start_usec) * 1000.0 / count
 	var error := value - TenthSum.exact(count)
 	_readout.show_result(key, title % NumberText.short(count), value, error, nanoseconds)

@@ -1,3 +1,4 @@
+@tool
 class_name FieldTitles
 extends BoardPart
 ## Names the two fields of the lesson, and says whether their two names stand for one thing or two.

@@ -38,7 +38,7 @@ func start() -> void:
 	_connect_formula()
 	_fill_options()
 	_ask()
-	snap_step = _SNAP_STEP
+	board.snap_step = _SNAP_STEP
 	resized.connect(_show_all)
 	_show_all()
 
@@ -79,8 +79,6 @@ func _connect_formula() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = EasyBounceFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 
 
 func _fill_options() -> void:
@@ -90,7 +88,7 @@ func _fill_options() -> void:
 		_options.add_preset(title, tr(title))
 	_options.preset_picked.connect(_tilt_to)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.
@@ -116,7 +114,7 @@ func _drag_line(start_point: Vec2, end_point: Vec2) -> void:
 	elif start_point.equals_approx(line.start, 0.0):
 		_model.tilt_degrees = EasyBounceSetup.tilt_toward(_model, end_point, false)
 	else:
-		_model.pivot = snapped_to_step(_model.pivot.plus(start_point.minus(line.start)))
+		_model.pivot = board.snapped_to_step(_model.pivot.plus(start_point.minus(line.start)))
 	_show_model()
 
 
@@ -203,7 +201,9 @@ func _finish() -> void:
 func _show_all() -> void:
 	var ball := _model.ball
 	var line := _model.line()
-	fit([_view_corner(), ball.position, ball.position.plus(ball.velocity), line.start, line.end])
+	board.fit(
+		[_view_corner(), ball.position, ball.position.plus(ball.velocity), line.start, line.end]
+	)
 	_options.show_switch("is_wall", _model.is_wall)
 	_show_model()
 

@@ -56,14 +56,6 @@ func show_model(model: EasyBounceModel, step: int) -> void:
 			_show_bounce()
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_easy_arrow.lit = role == Palette.Role.B
-	_right_arrow.lit = role == Palette.Role.A
-	_velocity.lit = role == Palette.Role.PROJECTION
-	_normal.lit = role == Palette.Role.UNIT
-
-
 func _hide_all() -> void:
 	for part: Node2D in [_before, _easy_path, _right_path, _easy_ball, _right_ball, _straight]:
 		part.visible = false

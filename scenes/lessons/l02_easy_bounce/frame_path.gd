@@ -1,3 +1,4 @@
+@tool
 class_name FramePath
 extends BoardPart
 ## Where a ball is frame by frame: its rim and its middle for each frame, joined by a line.

@@ -75,8 +75,6 @@ func _connect_formula() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = NormalsFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 
 
 func _fill_options() -> void:
@@ -89,7 +87,7 @@ func _fill_options() -> void:
 		_mistakes.add_mistake(mistake)
 	_mistakes.mistake_picked.connect(_pick_mistake)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.
@@ -185,14 +183,14 @@ func _copy_of_model() -> NormalsModel:
 
 
 func _show_all() -> void:
-	is_y_up = _model.is_y_up
+	board.is_y_up = _model.is_y_up
 	var from := _model.start
 	var wide: Array[Vec2] = [from, _model.end]
 	for arm: Vec2 in [_model.normal(), _model.opposite(), _model.unit()]:
 		wide.append(from.plus(arm))
 	if _model.mistake == 0:
 		wide.append(_model.middle().plus(_model.scaled()))
-	fit(wide)
+	board.fit(wide)
 	_options.show_switch("is_y_up", _model.is_y_up)
 	_mistakes.show_mistake(_model.mistake)
 	_steps.show_sentences(NormalsTexts.sentences(_model), _step)

@@ -43,15 +43,6 @@ func hide_before() -> void:
 	_old_normal.visible = false
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_v.light(role == Palette.Role.A)
-	_normal.lit = role == Palette.Role.B
-	_unit.lit = role == Palette.Role.UNIT
-	_scaled.lit = role == Palette.Role.UNIT
-	_opposite.lit = role == Palette.Role.REST
-
-
 # The unit normal stands at the start, the line's drawn normal in its middle.
 func _lay_unit(model: NormalsModel, step: int) -> void:
 	var has_normal := model.v().length() > 0.0

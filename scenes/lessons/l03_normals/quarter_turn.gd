@@ -1,3 +1,4 @@
+@tool
 class_name QuarterTurn
 extends BoardPart
 ## The way of a vector's head while it is turned by +90 degrees: an arc with a tip, and the angle.

@@ -1,12 +1,12 @@
 extends Lesson
 ## The lesson on the dot product: two vectors, the shadow of one on the other, and the numbers
-## beside them.
+## beside them. Where both vectors lie at the start is in the scene.
 
-const _STEP_COUNT := 5
+const _LAST_STEP := 4
 ## The sweep turns the shadowed vector this fast, in degrees a second.
 const _SWEEP_SPEED := 30.0
 
-## Ready-made situations by their titles (source text): x and y of a, x and y of b.
+## Presets by their titles (source text): x and y of a, x and y of b.
 const _PRESETS: Dictionary[String, Array] = {
 	"Lecture": [7.0, 1.0, 8.0, -6.0],
 	"Right angle": [4.0, 3.0, 6.0, -8.0],
@@ -16,17 +16,9 @@ const _PRESETS: Dictionary[String, Array] = {
 }
 
 var _model := DotProductModel.new()
-var _step := _STEP_COUNT - 1
-var _rng := RandomNumberGenerator.new()
-var _exercise: ProjectionExercise
-var _exercise_kind := ProjectionExercise.Kind.SCALAR
-
-var _steps: Steps
 var _formula: DotProductFormula
-var _readout: Readout
+var _steps: Steps
 var _options: LessonOptions
-var _transport: Transport
-var _question: Question
 
 @onready var _drawing: DotProductDrawing = %Drawing
 @onready var _a: DraggableVector = %A
@@ -36,69 +28,39 @@ var _question: Question
 
 
 func start() -> void:
-	_bring_services()
-	_connect_board()
-	_connect_formula()
-	_fill_options()
-	_ask()
-	resized.connect(_show_all)
-	_show_all()
+	_move_a(_a.tail_point(), _a.head_point())
+	_move_b(_b.tail_point(), _b.head_point())
+	on_drag(board.pointed, board.released, _point)
+	on_drag(_a.moved, _a.released, _move_a)
+	on_drag(_b.moved, _b.released, _move_b)
+	on_drag(_plot.x_pointed, _plot.released, _turn_to)
+	_fill_panel()
+	begin(_model, _show, _model.ends)
 
 
-func state() -> Dictionary:
-	return _model.to_dictionary()
-
-
-func show_state(stored: Dictionary) -> void:
-	_model.from_dictionary(stored)
-	_show_all()
-
-
-func _bring_services() -> void:
+func _fill_panel() -> void:
+	var formula := services[&"formula"] as Formula
+	_formula = DotProductFormula.new(formula)
+	on_edit(formula.number_entered, _enter_number)
 	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
+	_steps.open_at(_LAST_STEP)
+	on_move((services[&"transport"] as Transport).advanced, _sweep)
 	_options = services[&"options"] as LessonOptions
-	_transport = services[&"transport"] as Transport
-	_question = services[&"question"] as Question
-
-
-func _connect_board() -> void:
-	pointed.connect(_point)
-	released.connect(_finish)
-	_a.moved.connect(_move_a)
-	_b.moved.connect(_move_b)
-	_a.released.connect(_finish)
-	_b.released.connect(_finish)
-	_plot.x_pointed.connect(_turn_to)
-	_plot.released.connect(_finish)
-	_steps.step_changed.connect(_go_to_step)
-	_transport.advanced.connect(_sweep)
-
-
-func _connect_formula() -> void:
-	var panel := services[&"formula"] as Formula
-	_formula = DotProductFormula.new(panel)
-	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
-
-
-func _fill_options() -> void:
 	_options.add_switch("normalizes", tr("Normalize"))
 	_options.add_switch("is_swapped", tr("b on a"))
-	_options.switched.connect(_switch)
-	for title: String in _PRESETS:
-		_options.add_preset(title, tr(title))
-	_options.preset_picked.connect(_set_up)
-	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_options.add_presets(_PRESETS.keys())
+	on_edit(_options.switched, _model.set)
+	on_edit(_options.preset_picked, _set_up)
+	var question := services[&"question"] as Question
+	question.offer(ProjectionExercise.fresh, ProjectionExercise.Kind.size(), 1)
+	on_edit(question.board_wanted, _show_exercise)
 
 
 # What the student does.
 
 
 func _point(at: Vec2, button: MouseButton) -> void:
-	var head := snapped_to_step(at)
+	var head := board.snapped_to_step(at)
 	if button == MOUSE_BUTTON_LEFT:
 		_move_a(_model.a_tail, head)
 	else:
@@ -106,28 +68,21 @@ func _point(at: Vec2, button: MouseButton) -> void:
 
 
 func _move_a(tail: Vec2, head: Vec2) -> void:
-	_transport.is_playing = false
 	_model.a_tail = tail.copy()
 	_model.a_head = head.copy()
-	_show_model()
 
 
 func _move_b(tail: Vec2, head: Vec2) -> void:
-	_transport.is_playing = false
 	_model.b_tail = tail.copy()
 	_model.b_head = head.copy()
-	_show_model()
 
 
 func _turn_to(degrees: float) -> void:
-	_transport.is_playing = false
 	_model.set_signed_angle_degrees(roundf(degrees))
-	_show_model()
 
 
 func _sweep(seconds: float) -> void:
 	_model.set_signed_angle_degrees(_model.signed_angle_degrees() + _SWEEP_SPEED * seconds)
-	_show_model()
 
 
 func _enter_number(name_in_line: String, value: float) -> void:
@@ -137,66 +92,31 @@ func _enter_number(name_in_line: String, value: float) -> void:
 		head.x = tail.x + value
 	else:
 		head.y = tail.y + value
-	_finish()
-
-
-func _switch(key: String, on: bool) -> void:
-	_model.set(key, on)
-	_finish()
 
 
 func _set_up(preset: String) -> void:
 	var numbers: PackedFloat64Array = _PRESETS[preset]
-	_lay_from_origin(Vec2.new(numbers[0], numbers[1]), Vec2.new(numbers[2], numbers[3]))
+	_move_a(Vec2.new(), Vec2.new(numbers[0], numbers[1]))
+	_move_b(Vec2.new(), Vec2.new(numbers[2], numbers[3]))
 
 
-func _show_exercise() -> void:
-	_lay_from_origin(_exercise.a, _exercise.b)
-
-
-func _lay_from_origin(a: Vec2, b: Vec2) -> void:
-	_model.a_tail = Vec2.new()
-	_model.b_tail = Vec2.new()
-	_model.a_head = a.copy()
-	_model.b_head = b.copy()
-	_finish()
-
-
-func _ask() -> void:
-	_exercise = ProjectionExercise.fresh(_exercise_kind, _rng)
-	_exercise_kind = (
-		(_exercise_kind + 1) % ProjectionExercise.Kind.size() as ProjectionExercise.Kind
-	)
-	_question.show_exercise(_exercise)
-
-
-func _go_to_step(step: int) -> void:
-	_step = step
-	_show_all()
-
-
-func _finish() -> void:
-	_show_all()
-	edited.emit()
+func _show_exercise(exercise: ProjectionExercise) -> void:
+	_move_a(Vec2.new(), exercise.a)
+	_move_b(Vec2.new(), exercise.b)
 
 
 # What the student sees.
 
 
-func _show_all() -> void:
-	fit([_model.a_tail, _model.a_head, _model.b_tail, _model.b_head])
+func _show() -> void:
+	_drawing.show_model(_model, _steps.step)
+	_formula.show_model(_model, _steps.step)
+	_steps.tell(DotProductTexts.sentences(_model))
 	_options.show_switch("normalizes", _model.normalizes)
 	_options.show_switch("is_swapped", _model.is_swapped)
-	_steps.show_sentences(DotProductTexts.sentences(_model), _step)
-	_show_model()
-
-
-func _show_model() -> void:
-	_drawing.show_model(_model, _step)
-	_formula.show_model(_model, _step)
 	_show_verdict()
 	_show_plot()
-	_show_readout()
+	_show_calls()
 
 
 # With the course's ball: green ahead, red behind.
@@ -212,17 +132,18 @@ func _show_plot() -> void:
 	_plot.show_function(product, reach, _model.signed_angle_degrees())
 
 
-func _show_readout() -> void:
+func _show_calls() -> void:
 	var shadowed := _model.shadowed()
 	var onto := _model.onto()
-	var dot_way := shadowed.dot.bind(onto)
-	if _model.normalizes:
-		dot_way = shadowed.scalar_projection.bind(onto)
-	_show_way("dot", tr("dot product"), dot_way)
-	_show_way("primitive", tr("atan2 and cos"), PrimitiveProjection.scalar.bind(shadowed, onto))
+	var by_dot := shadowed.scalar_projection.bind(onto)
+	if not _model.normalizes:
+		by_dot = shadowed.dot.bind(onto)
+	_show_call("dot", tr("dot product"), by_dot)
+	_show_call("primitive", tr("atan2 and cos"), PrimitiveProjection.scalar.bind(shadowed, onto))
 
 
-func _show_way(key: String, title: String, way: Callable) -> void:
-	var value: float = way.call()
+func _show_call(key: String, title: String, method: Callable) -> void:
+	var value: float = method.call()
 	var error := ExactProjection.error_of_scalar_projection(value, _model.shadowed(), _model.onto())
-	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(way))
+	var readout := services[&"readout"] as Readout
+	readout.show_result(key, title, value, error, CallTimer.nanoseconds(method))

@@ -29,15 +29,6 @@ func show_model(model: DotProductModel, step: int) -> void:
 	_right_angle.visible = _right_angle.visible and _rest.visible
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_a.light(role == Palette.Role.A)
-	_b.light(role == Palette.Role.B)
-	_unit.lit = role == Palette.Role.UNIT
-	_projection.lit = role == Palette.Role.PROJECTION
-	_rest.lit = role == Palette.Role.REST
-
-
 func _lay_shadow(model: DotProductModel) -> void:
 	var tail := model.shadowed_tail()
 	var head := model.shadowed_head()

@@ -1,5 +1,5 @@
 class_name DotProductModel
-extends RefCounted
+extends LessonModel
 ## Two vectors in the plane, and the shadow of one on the other.
 ##
 ## Each vector has a tail and a head, in units; what is computed depends on head minus tail alone.
@@ -14,6 +14,11 @@ var b_head := Vec2.new(8.0, -6.0)
 var is_swapped := false
 ## False makes the usual mistake: the vector projected on is not brought to length 1 first.
 var normalizes := true
+
+
+## The tails and heads of both.
+func ends() -> Array[Vec2]:
+	return [a_tail, a_head, b_tail, b_head]
 
 
 ## Vector a: head minus tail.

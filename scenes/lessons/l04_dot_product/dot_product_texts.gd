@@ -1,6 +1,6 @@
 class_name DotProductTexts
 extends RefCounted
-## The sentences and formula lines of the lesson on the dot product, step by step.
+## The sentences and the verdict of the lesson on the dot product.
 
 const _UNITS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
 
@@ -34,15 +34,6 @@ static func sentences(model: DotProductModel) -> PackedStringArray:
 static func verdict(model: DotProductModel) -> PackedStringArray:
 	var scalar := NumberText.short(model.scalar_projection())
 	return [_translate("Scalar projection %s") % scalar, _verdict_on_sign(model)]
-
-
-## The formula lines of all steps up to [param step], counted from 0.
-static func lines(model: DotProductModel, step: int) -> PackedStringArray:
-	var found: PackedStringArray = []
-	var groups := _right_lines() if model.normalizes else _wrong_lines()
-	for i in step + 1:
-		found.append_array(groups[i])
-	return found
 
 
 static func _verdict_on_sign(model: DotProductModel) -> String:
@@ -84,29 +75,6 @@ static func _wrong_sentences() -> PackedStringArray:
 		_translate(
 			"The rest {u} − p is not perpendicular to {w}: that is how a test finds the mistake."
 		),
-	]
-
-
-static func _right_lines() -> Array[PackedStringArray]:
-	return [
-		["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
-		["|{w}| = √({w_x}² + {w_y}²) = {w_length}", "{e} = {w} / |{w}| = {e_pair}"],
-		[
-			"{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}",
-			"{u} · {e} = {dot} / {w_length} = {scalar}"
-		],
-		["{p} = {scalar} {e} = {p_pair}"],
-		["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
-	]
-
-
-static func _wrong_lines() -> Array[PackedStringArray]:
-	return [
-		["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
-		["|{w}| = √({w_x}² + {w_y}²) = {w_length}"],
-		["{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"],
-		["{p} = {scalar} {w} = {p_pair}"],
-		["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
 	]
 
 

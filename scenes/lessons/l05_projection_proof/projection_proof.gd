@@ -57,8 +57,8 @@ func show_state(stored: Dictionary) -> void:
 
 
 func _connect_board() -> void:
-	pointed.connect(_point)
-	released.connect(_finish)
+	board.pointed.connect(_point)
+	board.released.connect(_finish)
 	_connect_handle(%HeadA as Handle, _move_a)
 	_connect_handle(%HeadB as Handle, _move_b)
 	_connect_handle(%HeadTurnedA as Handle, _move_turned_a)
@@ -75,8 +75,6 @@ func _connect_services() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = ProjectionProofFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 	var options := services[&"options"] as LessonOptions
 	for title: String in _PRESETS:
 		options.add_preset(title, tr(title))
@@ -84,7 +82,7 @@ func _connect_services() -> void:
 	_steps.step_changed.connect(_go_to_step)
 	_transport.advanced.connect(_run)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(func() -> void: _take(_exercise.a, _exercise.b))
+	_question.board_wanted.connect(func(_asked: Exercise) -> void: _take(_exercise.a, _exercise.b))
 
 
 # What the student does.
@@ -92,9 +90,9 @@ func _connect_services() -> void:
 
 func _point(at: Vec2, button: MouseButton) -> void:
 	if button == MOUSE_BUTTON_LEFT:
-		_move_a(snapped_to_step(at))
+		_move_a(board.snapped_to_step(at))
 	else:
-		_move_b(snapped_to_step(at))
+		_move_b(board.snapped_to_step(at))
 
 
 func _move_a(head: Vec2) -> void:
@@ -197,7 +195,7 @@ func _finish() -> void:
 func _show_all() -> void:
 	# A little more than the turned b reaches, so that its label stays clear of that of the axis.
 	var beyond := _model.fully_turned(_model.b).scaled(1.12)
-	fit([_model.a, _model.b, _model.fully_turned(_model.a), beyond])
+	board.fit([_model.a, _model.b, _model.fully_turned(_model.a), beyond])
 	_show_model()
 
 

@@ -39,12 +39,6 @@ func show_model(model: ProjectionProofModel, step: ProjectionProofTexts.Step) ->
 	_y_of_b.visible = _x_of_b.visible
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	for arrow: Arrow in [_a, _b, _turned_a, _turned_b, _turned_p]:
-		arrow.lit = arrow.role == role
-
-
 func _lay_originals(model: ProjectionProofModel) -> void:
 	var origin := Vec2.new()
 	var is_turned := model.turned_share > 0.0 and model.has_direction()

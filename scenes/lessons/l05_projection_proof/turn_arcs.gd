@@ -1,3 +1,4 @@
+@tool
 class_name TurnArcs
 extends BoardPart
 ## The paths that the heads of vectors from the origin take while they are turned: dashed arcs.

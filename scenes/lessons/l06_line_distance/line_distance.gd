@@ -35,7 +35,7 @@ var _question: Question
 
 
 func start() -> void:
-	snap_step = _SNAP
+	board.snap_step = _SNAP
 	_bring_services()
 	_connect_board()
 	_connect_panel()
@@ -66,11 +66,11 @@ func _bring_services() -> void:
 
 
 func _connect_board() -> void:
-	pointed.connect(_point)
+	board.pointed.connect(_point)
 	_line.moved.connect(_move_line)
 	_from.moved.connect(_slide)
 	_ball.moved.connect(_move_ball)
-	for part: Object in [self, _line, _from, _ball]:
+	for part: Object in [board, _line, _from, _ball]:
 		part.connect(&"released", _finish)
 
 
@@ -78,8 +78,6 @@ func _connect_panel() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = LineDistanceFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 	_steps.step_changed.connect(_go_to_step)
 	for title: String in _PRESETS:
 		_options.add_preset(title, tr(title))
@@ -88,7 +86,7 @@ func _connect_panel() -> void:
 		_mistakes.add_mistake(mistake)
 	_mistakes.mistake_picked.connect(_make_mistake)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.
@@ -96,7 +94,7 @@ func _connect_panel() -> void:
 
 func _point(at: Vec2, button: MouseButton) -> void:
 	if button == MOUSE_BUTTON_LEFT:
-		_move_ball(snapped_to_step(at))
+		_move_ball(board.snapped_to_step(at))
 	else:
 		_slide(at)
 
@@ -192,7 +190,7 @@ func _show_all() -> void:
 	var corner := _model.from().plus(_model.ball.position.minus(_model.foot()))
 	var centre := _model.ball.position
 	var half_radius := Vec2.new(_model.ball.radius / 2.0, _model.ball.radius / 2.0)
-	fit(
+	board.fit(
 		[
 			_model.line.start,
 			_model.line.end,
@@ -217,9 +215,9 @@ func _show_model() -> void:
 		Palette.Role.RIGHT if is_good else Palette.Role.WRONG,
 		LineDistanceTexts.verdict(_model)
 	)
-	var balls: PackedVector2Array = [to_screen(_model.ball.position)]
+	var balls: PackedVector2Array = [board.to_screen(_model.ball.position)]
 	var wrong := _model.position_with_mistake()
 	if _model.mistake != 0 and wrong.is_finite():
-		balls.append(to_screen(wrong))
-	_verdict.keep_off(balls, _model.ball.radius * pixels_per_unit)
+		balls.append(board.to_screen(wrong))
+	_verdict.keep_off(balls, _model.ball.radius * board.pixels_per_unit)
 	_results.show_model(_model)

@@ -35,13 +35,6 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_mistake(model)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_difference.lit = role == Palette.Role.A
-	_normal.lit = role == Palette.Role.UNIT
-	_shadow.lit = role == Palette.Role.PROJECTION
-
-
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
 	_ball.role = Palette.Role.INK
 	_ball.label = ""

@@ -1,3 +1,4 @@
+@tool
 class_name LineDistanceLabels
 extends BoardPart
 ## Names on the board: p, c, the normal, the shadow, and a plus on the good side of the line, to

@@ -40,7 +40,7 @@ var _question: Question
 
 
 func start() -> void:
-	snap_step = 1.0
+	board.snap_step = 1.0
 	_bring_services()
 	_connect_board()
 	_connect_panel()
@@ -71,11 +71,11 @@ func _bring_services() -> void:
 
 
 func _connect_board() -> void:
-	pointed.connect(_point)
+	board.pointed.connect(_point)
 	_line.moved.connect(_move_line)
 	_old.moved.connect(_move_old)
 	_new.moved.connect(_move_new)
-	for part: Object in [self, _line, _old, _new]:
+	for part: Object in [board, _line, _old, _new]:
 		part.connect(&"released", _finish)
 
 
@@ -83,8 +83,6 @@ func _connect_panel() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = PointOfImpactFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 	_steps.step_changed.connect(_go_to_step)
 	for title: String in _PRESETS:
 		_options.add_preset(title, tr(title))
@@ -93,7 +91,7 @@ func _connect_panel() -> void:
 		_mistakes.add_mistake(mistake)
 	_mistakes.mistake_picked.connect(_make_mistake)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.
@@ -101,9 +99,9 @@ func _connect_panel() -> void:
 
 func _point(at: Vec2, button: MouseButton) -> void:
 	if button == MOUSE_BUTTON_LEFT:
-		_move_old(snapped_to_step(at))
+		_move_old(board.snapped_to_step(at))
 	else:
-		_move_new(snapped_to_step(at))
+		_move_new(board.snapped_to_step(at))
 
 
 func _move_old(to: Vec2) -> void:
@@ -215,7 +213,7 @@ func _show_all() -> void:
 		points.append(centre.minus(half_radius))
 	if _model.mistake != 0 and absf(_model.share_with_mistake()) < _LARGEST_SHOWN_SHARE:
 		points.append(_model.position_with_mistake())
-	fit(points)
+	board.fit(points)
 	_results.measure(_model)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()
@@ -232,7 +230,7 @@ func _show_model() -> void:
 		PointOfImpactTexts.verdict(_model)
 	)
 	var places: PackedVector2Array = [
-		to_screen(_model.old_position), to_screen(_model.new_position)
+		board.to_screen(_model.old_position), board.to_screen(_model.new_position)
 	]
-	_verdict.keep_off(places, _model.radius * pixels_per_unit)
+	_verdict.keep_off(places, _model.radius * board.pixels_per_unit)
 	_results.show_model(_model)

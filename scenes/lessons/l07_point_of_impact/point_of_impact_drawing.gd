@@ -37,12 +37,6 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_mistake(model)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_normal.lit = role == Palette.Role.UNIT
-	_reset_way.lit = role == Palette.Role.REST
-
-
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
 	_endless.lay(model.line.start, model.line.along())
 	_line.lay(model.line.start, model.line.end)

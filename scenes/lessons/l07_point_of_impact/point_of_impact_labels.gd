@@ -1,3 +1,4 @@
+@tool
 class_name PointOfImpactLabels
 extends BoardPart
 ## The names of the balls on the board and of the motion, each beside what it names.

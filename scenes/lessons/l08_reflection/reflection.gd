@@ -63,7 +63,7 @@ func _bring_services() -> void:
 	_steps.step_changed.connect(_go_to_step)
 	_transport.advanced.connect(_run)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 func _connect_board() -> void:
@@ -86,8 +86,6 @@ func _connect_formula() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = ReflectionFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 
 
 func _fill_options() -> void:
@@ -202,7 +200,7 @@ func _show_all() -> void:
 	for point: Vec2 in [_model.velocity, _model.velocity_after(2.0)]:
 		# Twice as much room below: the table of Godot's methods stands there.
 		points.append(Vec2.new(point.x, 1.75 * point.y))
-	fit(points)
+	board.fit(points)
 	_options.show_switch("has_unit_normal", _model.has_unit_normal)
 	_mistakes.show_mistake(_model.mistake)
 	_show_model()

@@ -46,12 +46,6 @@ func show_ball(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_wrong_ball.lay(ReflectionMistakes.ball_centre(model, radius), radius)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	for arrow: Arrow in [_normal, _coming, _velocity, _part, _first, _second, _slide, _leaving]:
-		arrow.lit = arrow.role == role
-
-
 func _lay_line(model: ReflectionModel) -> void:
 	var reach := model.facing_normal().scaled(model.velocity.length())
 	_line.lay(model.along.negated(), model.along)

@@ -30,7 +30,7 @@ var _problem := ""
 func start() -> void:
 	for part: CanvasItem in [_lines, _gravity]:
 		(%Grid as Grid).take(part)
-	snap_step = _SNAP_STEP
+	board.snap_step = _SNAP_STEP
 	var formula := services[&"formula"] as Formula
 	_formula = AngledLinesFormula.new(formula)
 	_panel = AngledLinesPanel.new(services)
@@ -79,8 +79,8 @@ func show_link(linked: Dictionary) -> void:
 
 func _connect_board() -> void:
 	_connect_keys(%Keys as AngledLinesKeys)
-	pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
-	released.connect(_pointer.release)
+	board.pointed.connect(func(at: Vec2, _button: MouseButton) -> void: _pointer.point(at, _model))
+	board.released.connect(_pointer.release)
 	_pointer.ball_taken.connect(_select)
 	_pointer.ball_moved.connect(func(at: Vec2) -> void: _change_ball(at, _model.ball().velocity))
 	_pointer.ball_released.connect(_finish)
@@ -105,13 +105,11 @@ func _connect_keys(keys: AngledLinesKeys) -> void:
 
 func _connect_panel(formula: Formula) -> void:
 	formula.number_entered.connect(_enter_number)
-	formula.role_pointed.connect(_drawing.light)
-	formula.refused.connect(noticed.emit)
 	var options := services[&"options"] as LessonOptions
 	options.switched.connect(_switch)
 	options.chosen.connect(_choose_method)
 	options.preset_picked.connect(_pick)
-	(services[&"question"] as Question).board_wanted.connect(_show_question)
+	(services[&"question"] as Question).board_wanted.connect(_show_question.unbind(1))
 	(services[&"mistakes"] as Mistakes).mistake_picked.connect(_switch_mistake)
 
 
@@ -227,7 +225,7 @@ func _process(_delta: float) -> void:
 
 func _show_all() -> void:
 	var half_view := _HALF_VIEW_WITH_TIMELINE if _model.timeline else _HALF_VIEW
-	fit([Vec2.new(half_view.x, half_view.y)])
+	board.fit([Vec2.new(half_view.x, half_view.y)])
 	_engine.begin_anew(_model)
 	_drawing.show_all(_model)
 	_drawing.show_surroundings(_model)

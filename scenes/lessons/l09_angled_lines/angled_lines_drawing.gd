@@ -106,9 +106,3 @@ func hide_forecast() -> void:
 ## The velocity that belongs to an arrow from [param tail] to [param head].
 func velocity_of(tail: Vec2, head: Vec2) -> Vec2:
 	return head.minus(tail).divided(_arrow_seconds)
-
-
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_velocity.light(role == Palette.Role.A)
-	_normal.lit = role == Palette.Role.UNIT

@@ -1,3 +1,4 @@
+@tool
 class_name BallTrails
 extends BoardPart
 ## The paths that the balls of a world have taken, frame by frame and through every point of impact;

@@ -1,3 +1,4 @@
+@tool
 class_name BallsView
 extends BoardPart
 ## All balls of a world in their true size, drawn in one go; where it shows a mistake, outlines with

@@ -27,7 +27,7 @@ var _end := Vec2.new()
 
 
 func _ready() -> void:
-	_board = owner as Board
+	_board = get_parent() as Board
 	_arrow.visible = false
 
 

@@ -1,3 +1,4 @@
+@tool
 class_name EngineLane
 extends BoardPart
 ## Godot's own body on the same shot as the selected ball: a ghost with its path, and the place

@@ -22,7 +22,7 @@ var _board: Board
 
 
 func _ready() -> void:
-	_board = owner as Board
+	_board = get_parent() as Board
 	_board.view_changed.connect(_place_button)
 	_delete.pressed.connect(delete_focused)
 

@@ -1,3 +1,4 @@
+@tool
 class_name PathView
 extends BoardPart
 ## The path that is to come: a dotted line.

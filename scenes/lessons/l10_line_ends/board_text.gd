@@ -1,3 +1,4 @@
+@tool
 class_name BoardText
 extends BoardPart
 ## A short name beside a point of the board.

@@ -32,12 +32,6 @@ func show_cap(model: LineEndsModel, step: int) -> void:
 		_normal.keep_label_from(model.new_position())
 
 
-func light(role: Palette.Role) -> void:
-	super.light(role)
-	_difference.lit = role == Palette.Role.B
-	_normal.lit = role == Palette.Role.UNIT
-
-
 # The names stand on the side of the line where the ball does not come from.
 func _lay_names(model: LineEndsModel) -> void:
 	var away := model.facing_normal().negated()

@@ -1,3 +1,4 @@
+@tool
 class_name FlightLine
 extends BoardPart
 ## The way of the ball's centre through the frame: thin as a whole, thick as far as it has come.

@@ -61,8 +61,6 @@ func _connect_formula() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = LineEndsFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_drawing.light)
-	panel.refused.connect(noticed.emit)
 
 
 func _connect_panel() -> void:
@@ -76,7 +74,7 @@ func _connect_panel() -> void:
 	_steps.step_changed.connect(_go_to_step)
 	_transport.advanced.connect(_advance)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.

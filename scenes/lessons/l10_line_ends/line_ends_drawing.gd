@@ -51,12 +51,6 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.time)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	for field in _fields:
-		field.light(role)
-
-
 # The wrong ball flies in the field of the right line, so that both can be compared.
 func _wrong_flight(model: LineEndsModel, kind: LineEndsModel.Field) -> BallFlight:
 	if model.mistake == 0 or kind != LineEndsModel.Field.ROUND_CAPS:

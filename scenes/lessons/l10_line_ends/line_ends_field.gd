@@ -80,11 +80,6 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 		_words.text += "\n" + LineEndsWords.wrong_sentence(model, wrong)
 
 
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_shot.light(role == Palette.Role.A)
-
-
 func _leave_keyboard() -> void:
 	for handle in _board.handles():
 		handle.focus_mode = Control.FOCUS_NONE

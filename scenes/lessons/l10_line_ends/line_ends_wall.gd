@@ -1,3 +1,4 @@
+@tool
 class_name LineEndsWall
 extends BoardPart
 ## A line of one of the five kinds, with the dashed outline at which the ball's centre turns back,

@@ -1,3 +1,4 @@
+@tool
 class_name ComponentBars
 extends Board
 ## The components of both vectors as bars side by side; their ends can be dragged. For any number of

@@ -71,15 +71,13 @@ func _connect_panel() -> void:
 	var panel := services[&"formula"] as Formula
 	_formula = MoreDimensionsFormula.new(panel)
 	panel.number_entered.connect(_enter_number)
-	panel.role_pointed.connect(_picture.light)
-	panel.refused.connect(noticed.emit)
 	_options.add_switch("has_four", tr("Four components"))
 	_options.switched.connect(_switch)
 	for title: String in _PRESETS:
 		_options.add_preset(title, tr(title))
 	_options.preset_picked.connect(_set_up)
 	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise)
+	_question.board_wanted.connect(_show_exercise.unbind(1))
 
 
 # What the student does.

@@ -1,3 +1,4 @@
+@tool
 class_name SpacePicture
 extends Board
 ## Both vectors in space: heads that can be dragged in the plane of the picture, axes that turn with
@@ -58,12 +59,6 @@ func show_model(model: MoreDimensionsModel) -> void:
 		_axes[i].lay(Vec2.new(), view.seen_at(end[0], end[1], end[2]))
 	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
 	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)
-
-
-## Lights up what has the colour of [param role].
-func light(role: Palette.Role) -> void:
-	_arrow_of_a.lit = role == Palette.Role.A
-	_arrow_of_b.lit = role == Palette.Role.B
 
 
 # An arrow alone could lie anywhere in depth: its shadow on the floor y = 0 says where.

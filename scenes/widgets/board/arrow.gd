@@ -1,3 +1,4 @@
+@tool
 class_name Arrow
 extends BoardPart
 ## An arrow between two points of the plane, with a label; solid or dashed.
@@ -8,8 +9,23 @@ enum LabelPlace { HEAD, MIDDLE }
 ## A head shorter than this, in pixels, is not drawn: the arrow is then a dot.
 const SHORTEST := 2.0
 
-## What stands beside the arrow, such as `a`; nothing where it is empty.
-@export var label := ""
+## Where it begins, in units of the plane. 32 bits; [method lay] keeps all digits.
+@export var tail := Vector2.ZERO:
+	get:
+		return _tail.to_vector2()
+	set(value):
+		lay(Vec2.from_vector2(value), _head)
+## Where it ends, in units of the plane.
+@export var head := Vector2.ZERO:
+	get:
+		return _head.to_vector2()
+	set(value):
+		lay(_tail, Vec2.from_vector2(value))
+## The label beside the arrow, such as `a`; nothing where it is empty.
+@export var label := "":
+	set(value):
+		label = value
+		queue_redraw()
 ## Which colour it has, here and in formulas.
 @export var role := Palette.Role.INK
 ## Thickness of the shaft in pixels.
@@ -21,7 +37,7 @@ const SHORTEST := 2.0
 ## Beyond the head, or beside the middle on the side that [method keep_label_from] leaves.
 @export var label_place := LabelPlace.HEAD
 
-## Lit up, as when its symbol in a formula is pointed at.
+## Whether it is lit up; see [method light].
 var lit := false:
 	set(value):
 		lit = value
@@ -32,11 +48,20 @@ var _head := Vec2.new()
 var _crowded := Vec2.new()
 
 
-## Lays the arrow from [param tail] to [param head], both in units of the plane.
-func lay(tail: Vec2, head: Vec2) -> void:
-	_tail = tail.copy()
-	_head = head.copy()
-	queue_redraw()
+## Lays the arrow from one point to another, both in units of the plane.
+func lay(from: Vec2, to: Vec2) -> void:
+	_tail = from.copy()
+	_head = to.copy()
+	show_change()
+
+
+func spanned_points() -> Array[Vec2]:
+	return [_tail, _head]
+
+
+## Lights up when [param its_role] is the arrow's own: its symbol in a formula is pointed at.
+func light(its_role: Palette.Role) -> void:
+	lit = its_role == role and role != Palette.Role.INK
 
 
 ## Puts a label beside the middle on the side away from [param point], where other things are drawn.

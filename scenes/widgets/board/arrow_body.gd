@@ -1,3 +1,4 @@
+@tool
 class_name ArrowBody
 extends Handle
 ## The shaft of an arrow as a handle: dragging it moves the arrow as it is, without turning it.
@@ -21,6 +22,8 @@ func _has_point(pixel: Vector2) -> bool:
 
 
 func _draw() -> void:
+	if Engine.is_editor_hint():
+		return
 	var shaft := _shaft()
 	if has_focus():
 		draw_line(shaft[0], shaft[1], Color(Palette.FOCUS, 0.35), 16.0)
@@ -29,6 +32,8 @@ func _draw() -> void:
 
 
 func _follow_view() -> void:
+	if Engine.is_editor_hint():
+		return
 	position = Vector2.ZERO
 	size = _board.size
 	queue_redraw()
@@ -38,7 +43,7 @@ func _follow_view() -> void:
 func _is_on_a_point(pixel: Vector2) -> bool:
 	for handle in _board.handles():
 		var is_point := handle is not ArrowBody
-		if is_point and handle.covers(get_global_transform() * pixel):
+		if is_point and (handle as Handle).covers(get_global_transform() * pixel):
 			return true
 	return false
 

@@ -1,3 +1,4 @@
+@tool
 class_name BallHandle
 extends Handle
 ## A ball as a handle: it can be taken hold of anywhere inside its rim.
@@ -5,13 +6,15 @@ extends Handle
 # A ball is never larger on screen than this, in pixels: controls know no larger numbers.
 const _LARGEST := 1e5
 
-var _radius := 0.0
+## Radius of the ball that it lies on, in units of the plane.
+@export_range(0.0, 1000.0, 0.001, "or_greater") var radius := 0.0
 
 
-## Lies on a ball of [param radius] at [param centre], both in units of the plane; emits nothing.
-func place_ball(centre: Vec2, radius: float) -> void:
-	_radius = radius
-	place(centre)
+## Lies on a ball of radius [param its_radius] at [param center], both in units of the plane; emits
+## nothing.
+func place_ball(center: Vec2, its_radius: float) -> void:
+	radius = its_radius
+	place(center)
 
 
 func covers(pixel: Vector2) -> bool:
@@ -23,6 +26,8 @@ func _has_point(pixel: Vector2) -> bool:
 
 
 func _follow_view() -> void:
-	var side := clampf(2.0 * _radius * _board.pixels_per_unit, TOUCH_SIZE, _LARGEST)
+	if Engine.is_editor_hint():
+		return
+	var side := clampf(2.0 * radius * _board.pixels_per_unit, TOUCH_SIZE, _LARGEST)
 	size = Vector2(side, side)
 	super()

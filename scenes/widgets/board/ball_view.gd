@@ -1,29 +1,51 @@
+@tool
 class_name BallView
 extends BoardPart
 ## A ball on the board, in its true size; filled, or an outline where it only shows a place.
 
+## Where its centre is, in units of the plane. 32 bits; [method lay] keeps all digits.
+@export var center := Vector2.ZERO:
+	get:
+		return _center.to_vector2()
+	set(value):
+		lay(Vec2.from_vector2(value), radius)
+## Its radius, in units of the plane.
+@export_range(0.0, 1000.0, 0.001, "or_greater") var radius := 1.0:
+	set(value):
+		radius = value
+		show_change()
 ## Colour of the ball.
 @export var role := Palette.Role.INK
-## What stands in its middle, such as `old`.
-@export var label := ""
+## The label above it, such as `old`.
+@export var label := "":
+	set(value):
+		label = value
+		queue_redraw()
 ## Only the outline, dashed: a place where the ball was, will be or should be.
 @export var is_ghost := false
 
-var _centre := Vec2.new()
-var _radius := 1.0
+var _center := Vec2.new()
 
 
-## Shows a ball of [param radius] with its centre at [param centre], both in units of the plane.
-func lay(centre: Vec2, radius: float) -> void:
-	_centre = centre.copy()
-	_radius = radius
-	queue_redraw()
+## Shows a ball of radius [param its_radius] with its centre at [param to], in units of the plane.
+func lay(to: Vec2, its_radius: float) -> void:
+	_center = to.copy()
+	radius = its_radius
+
+
+## Where its centre is, in units of the plane.
+func at() -> Vec2:
+	return _center.copy()
+
+
+func spanned_points() -> Array[Vec2]:
+	return [_center.minus(Vec2.new(radius, radius)), _center.plus(Vec2.new(radius, radius))]
 
 
 func _draw() -> void:
-	var middle := board.to_screen(_centre)
+	var middle := board.to_screen(_center)
 	# 32-bit drawing knows no larger circles than 1e6 pixels.
-	var pixels := clampf(_radius * board.pixels_per_unit, 1.5, 1e6)
+	var pixels := clampf(radius * board.pixels_per_unit, 1.5, 1e6)
 	var color := Palette.color(role)
 	if is_ghost:
 		for i in 16:

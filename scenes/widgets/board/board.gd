@@ -1,3 +1,4 @@
+@tool
 class_name Board
 extends Control
 ## The plane that a lesson draws on: says where a point of the plane is on the screen, and back.
@@ -14,6 +15,8 @@ signal pointed(at: Vec2, button: MouseButton)
 ## The click or drag that [signal pointed] told of has ended.
 signal released
 
+## Every handle on a board is in this group.
+const HANDLES := &"handles"
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
 ## Nor does [method fit] make it wider than this, in pixels, unless a lesson says so.
@@ -25,6 +28,8 @@ const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 @export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
 ## Pixels that [method fit] leaves free along every edge; less on a small board.
 @export_range(8.0, 100.0, 1.0, "suffix:px") var margin := 56.0
+## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
+@export_range(0.0, 100.0, 0.001, "or_greater") var snap_step := 0.0
 
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
@@ -38,9 +43,6 @@ var has_paper := true:
 ## Units between two lines of the grid: 1, 2 or 5 times 10^n.
 var grid_step := 1.0
 
-## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
-var snap_step := 0.0
-
 ## False: y points down, as on the screen and in the course. True: y points up, as in mathematics.
 ## The plane and all numbers stay; only the picture is turned over.
 var is_y_up := false:
@@ -49,15 +51,18 @@ var is_y_up := false:
 		view_changed.emit()
 
 var _middle := Vec2.new()
+# What the parts of the board span: the editor's view is fitted to it.
+var _spanned: Array[Vec2] = []
 var _pressed_button := MOUSE_BUTTON_NONE
 
 
-func _init() -> void:
-	focus_mode = Control.FOCUS_CLICK
-
-
 func _ready() -> void:
+	# The editor would save what is set here.
+	if Engine.is_editor_hint():
+		return
 	clip_contents = true
+	if focus_mode == FOCUS_NONE:
+		focus_mode = FOCUS_CLICK
 	focus_entered.connect(_pass_focus_on)
 	resized.connect(view_changed.emit)
 
@@ -121,19 +126,27 @@ func fit(points: Array[Vec2]) -> void:
 	view_changed.emit()
 
 
-## The handles that can be seen on this board, in the order of the tree.
-func handles() -> Array[Handle]:
-	var found: Array[Handle] = []
-	for node: Node in get_tree().get_nodes_in_group(Handle.GROUP):
-		var handle := node as Handle
-		if handle.is_on(self) and handle.is_visible_in_tree():
-			found.append(handle)
+## Fits the view of the editor to [param points] as well: there no lesson runs that would call
+## [method fit].
+func span(points: Array[Vec2]) -> void:
+	if Engine.is_editor_hint():
+		_spanned.append_array(points)
+		fit(_spanned)
+
+
+## The handles that can be seen on this board and on boards that lie on it, in the order of the
+## tree.
+func handles() -> Array[Control]:
+	var found: Array[Control] = []
+	for node: Node in get_tree().get_nodes_in_group(HANDLES):
+		if is_ancestor_of(node) and (node as Control).is_visible_in_tree():
+			found.append(node as Control)
 	return found
 
 
 ## Of these the ones that take the focus, in the order in which the Tab key reaches them.
-func focusable_handles() -> Array[Handle]:
-	return handles().filter(func(handle: Handle) -> bool: return handle.focus_mode != FOCUS_NONE)
+func focusable_handles() -> Array[Control]:
+	return handles().filter(func(handle: Control) -> bool: return handle.focus_mode != FOCUS_NONE)
 
 
 # A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to

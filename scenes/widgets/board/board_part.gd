@@ -1,8 +1,10 @@
+@tool
 class_name BoardPart
 extends Node2D
 ## What is drawn on a [Board]: finds the board above it and is drawn again when the view changes.
 
-## The board that this part lies on: the nearest one above it in the tree.
+## The board that this part lies on: the nearest one above it in the tree. Without one, as when its
+## scene runs alone, the part is hidden.
 var board: Board
 
 
@@ -11,11 +13,27 @@ func _enter_tree() -> void:
 	while above and not above is Board:
 		above = above.get_parent()
 	board = above as Board
-	board.view_changed.connect(queue_redraw)
+	if board:
+		board.view_changed.connect(queue_redraw)
+		_span()
+	else:
+		hide()
 
 
 func _exit_tree() -> void:
-	board.view_changed.disconnect(queue_redraw)
+	if board:
+		board.view_changed.disconnect(queue_redraw)
+
+
+## Points between which this part lies, in units of the plane: the editor shows them all.
+func spanned_points() -> Array[Vec2]:
+	return []
+
+
+## Draws the part anew after a change.
+func show_change() -> void:
+	queue_redraw()
+	_span()
 
 
 ## A text with a rim of the board's colour, so that it reads on top of lines; [param middle] is its
@@ -32,3 +50,8 @@ func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20)
 ## A line of short strokes from [param from] to [param to], in the board's pixels.
 func draw_strokes(from: Vector2, to: Vector2, color: Color, width: float) -> void:
 	draw_dashed_line(from, to, color, width, 9.0, true, true)
+
+
+func _span() -> void:
+	if Engine.is_editor_hint() and board:
+		board.span(spanned_points())

@@ -1,3 +1,4 @@
+@tool
 class_name DimensionLine
 extends BoardPart
 ## A length between two points as in a technical drawing: a line with a tip at both ends, drawn
@@ -6,7 +7,28 @@ extends BoardPart
 const _TIP := 11.0
 const _FONT_SIZE := 20
 
-## What stands beside it, such as `a = 40`, as it is to be read.
+## One end of what it measures, in units of the plane.
+@export var from := Vector2.ZERO:
+	get:
+		return _from.to_vector2()
+	set(value):
+		_from = Vec2.from_vector2(value)
+		show_change()
+## The other end.
+@export var to := Vector2.ZERO:
+	get:
+		return _to.to_vector2()
+	set(value):
+		_to = Vec2.from_vector2(value)
+		show_change()
+## The side on which it is drawn: a direction of any length above 0.
+@export var side := Vector2.ZERO:
+	get:
+		return _side.to_vector2()
+	set(value):
+		_side = Vec2.from_vector2(value).normalized()
+		show_change()
+## The label beside it, such as `a = 40`, as it is to be read.
 @export var label := ""
 ## Its colour, here and in formulas.
 @export var role := Palette.Role.INK
@@ -18,13 +40,17 @@ var _to := Vec2.new()
 var _side := Vec2.new()
 
 
-## Measures from [param from] to [param to], in units of the plane; drawn on the side to which
-## [param side] points.
-func lay(from: Vec2, to: Vec2, side: Vec2) -> void:
-	_from = from.copy()
-	_to = to.copy()
-	_side = side.normalized()
-	queue_redraw()
+## Measures from [param first] to [param last], in units of the plane; drawn on the side to which
+## [param towards] points.
+func lay(first: Vec2, last: Vec2, towards: Vec2) -> void:
+	_from = first.copy()
+	_to = last.copy()
+	_side = towards.normalized()
+	show_change()
+
+
+func spanned_points() -> Array[Vec2]:
+	return [_from, _to]
 
 
 ## Pixels that the label takes up beside the line.
@@ -37,18 +63,18 @@ func label_room() -> float:
 
 func _draw() -> void:
 	var color := Palette.color(role)
-	var side := _side.to_vector2()
-	var from := board.to_screen(_from) + side * offset
-	var to := board.to_screen(_to) + side * offset
+	var beside := _side.to_vector2()
+	var first := board.to_screen(_from) + beside * offset
+	var last := board.to_screen(_to) + beside * offset
 	if offset > 0.0:
 		var faint := Color(color, 0.45)
-		draw_line(board.to_screen(_from), from + side * 6.0, faint, 1.5, true)
-		draw_line(board.to_screen(_to), to + side * 6.0, faint, 1.5, true)
-	draw_line(from, to, color, 2.5, true)
-	_draw_tip(from, to, color)
-	_draw_tip(to, from, color)
+		draw_line(board.to_screen(_from), first + beside * 6.0, faint, 1.5, true)
+		draw_line(board.to_screen(_to), last + beside * 6.0, faint, 1.5, true)
+	draw_line(first, last, color, 2.5, true)
+	_draw_tip(first, last, color)
+	_draw_tip(last, first, color)
 	if label:
-		_draw_label(_middle_of_visible_part(from, to), side, color)
+		_draw_label(_middle_of_visible_part(first, last), beside, color)
 
 
 func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
@@ -61,7 +87,7 @@ func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
 	draw_primitive(corners, [color], [])
 
 
-func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
+func _draw_label(middle: Vector2, beside: Vector2, color: Color) -> void:
 	var extent := ThemeDB.fallback_font.get_string_size(
 		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
 	)
@@ -69,18 +95,18 @@ func _draw_label(middle: Vector2, side: Vector2, color: Color) -> void:
 	var room := Rect2(Vector2.ZERO, board.size).grow_individual(
 		-extent.x / 2.0 - 6.0, -18.0, -extent.x / 2.0 - 6.0, -18.0
 	)
-	draw_text(label, (middle + side * reach).clamp(room.position, room.end), color, _FONT_SIZE)
+	draw_text(label, (middle + beside * reach).clamp(room.position, room.end), color, _FONT_SIZE)
 
 
 # The middle of what the board shows of the line between two points in its own pixels.
-func _middle_of_visible_part(from: Vector2, to: Vector2) -> Vector2:
-	var first := 0.0
-	var last := 1.0
-	var way := to - from
+func _middle_of_visible_part(first: Vector2, last: Vector2) -> Vector2:
+	var low := 0.0
+	var high := 1.0
+	var way := last - first
 	for axis: int in 2:
 		if way[axis] != 0.0:
-			var at_start := -from[axis] / way[axis]
-			var at_end := (board.size[axis] - from[axis]) / way[axis]
-			first = maxf(first, minf(at_start, at_end))
-			last = minf(last, maxf(at_start, at_end))
-	return from + way * (first + last) / 2.0
+			var at_start := -first[axis] / way[axis]
+			var at_end := (board.size[axis] - first[axis]) / way[axis]
+			low = maxf(low, minf(at_start, at_end))
+			high = minf(high, maxf(at_start, at_end))
+	return first + way * (low + high) / 2.0

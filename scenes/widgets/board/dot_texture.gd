@@ -1,3 +1,4 @@
+@tool
 class_name DotTexture
 extends RefCounted
 ## Pictures of round things with a rim. All that have the same picture are drawn in one call; drawn

@@ -1,3 +1,4 @@
+@tool
 class_name Grid
 extends BoardPart
 ## Grid with axes: lines at every step, numbers where there is room, x to the right and y down, or
@@ -9,12 +10,16 @@ extends BoardPart
 ## Also draw the axes with their numbers, not just the lines.
 @export var axes := true
 
-var _canvas := StillCanvas.new()
+var _canvas: StillCanvas
 
 
 func _ready() -> void:
 	var lines := GridLines.new()
 	lines.axes = axes
+	if Engine.is_editor_hint() or not board:
+		add_child(lines)
+		return
+	_canvas = StillCanvas.new()
 	add_child(_canvas)
 	_canvas.prepare(self)
 	_canvas.add_child(lines)
@@ -36,4 +41,5 @@ func _fit() -> void:
 
 
 func _draw() -> void:
-	_canvas.draw_on(self)
+	if _canvas:
+		_canvas.draw_on(self)

@@ -1,3 +1,4 @@
+@tool
 class_name GridLines
 extends BoardPart
 ## What a [Grid] shows: paper, lines at every step, axes with numbers where there is room.

@@ -1,3 +1,4 @@
+@tool
 class_name Handle
 extends Control
 ## A point on the board that can be dragged: by mouse, touch, or with the arrow keys when it has
@@ -6,13 +7,10 @@ extends Control
 ## It only asks to be moved: the lesson changes its model and then calls [method place]. Snaps to
 ## the grid; Shift frees it. Large enough for a finger.
 
-## Asks to be at [param point] of the plane. Comes many times during a drag.
-signal moved(point: Vec2)
+## Asks to be moved to a point of the plane. Comes many times during a drag.
+signal moved(to: Vec2)
 ## A drag or nudge has ended.
 signal released
-
-## Every handle in the tree is in this group.
-const GROUP := &"handles"
 
 ## Side of the square that takes the touch, in pixels of the drawing: 45 of the window at 800x600.
 const TOUCH_SIZE := 54.0
@@ -24,12 +22,20 @@ const _NUDGES: Dictionary[StringName, Vector2] = {
 	&"ui_down": Vector2.DOWN,
 }
 
-## What a screen reader and the tooltip call it, such as `Head of a`.
+## Where it lies, in units of the plane. 32 bits; [method place] keeps all digits.
+@export var point := Vector2.ZERO:
+	get:
+		return _point.to_vector2()
+	set(value):
+		place(Vec2.from_vector2(value))
+## Its name for screen readers and in the tooltip, such as `Head of a`.
 @export var title := "":
 	set(value):
 		title = value
-		accessibility_name = value
-		tooltip_text = value
+		# The editor would save these.
+		if not Engine.is_editor_hint():
+			accessibility_name = value
+			tooltip_text = value
 ## Colour of the dot.
 @export var role := Palette.Role.INK
 ## Radius of the dot that is seen, in pixels.
@@ -45,35 +51,53 @@ var _is_hovered := false
 var _grip := Vec2.new()
 
 
+# Not in _ready: the engine may ask one handle what it covers while another gets ready. Without a
+# board, as when its scene runs alone, the handle is hidden.
+func _enter_tree() -> void:
+	_board = _board_above(self)
+	if _board:
+		_board.view_changed.connect(_follow_view)
+	else:
+		hide()
+
+
+func _exit_tree() -> void:
+	if _board:
+		_board.view_changed.disconnect(_follow_view)
+
+
 func _ready() -> void:
+	# The editor would save what is set below.
+	if Engine.is_editor_hint() or not _board:
+		return
 	size = Vector2(TOUCH_SIZE, TOUCH_SIZE)
 	focus_mode = Control.FOCUS_ALL
 	# Other buttons than the left one are for the board.
 	mouse_filter = Control.MOUSE_FILTER_PASS
 	mouse_default_cursor_shape = Control.CURSOR_MOVE
-	_board = _board_above(self)
-	_board.view_changed.connect(_follow_view)
 	_outermost_board = _board
 	while _board_above(_outermost_board):
 		_outermost_board = _board_above(_outermost_board)
 	_outermost_board.focus_mode = Control.FOCUS_ALL
-	add_to_group(GROUP)
+	add_to_group(Board.HANDLES)
 	focus_entered.connect(_tie_focus)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
 	mouse_entered.connect(_hover.bind(true))
 	mouse_exited.connect(_hover.bind(false))
-
-
-## Puts the handle at [param point] of the plane; emits nothing.
-func place(point: Vec2) -> void:
-	_point = point.copy()
 	_follow_view()
 
 
-## Whether the handle lies on this board, or on one that lies on the outermost board [param board].
-func is_on(board: Board) -> bool:
-	return board == _board or board == _outermost_board
+## Puts the handle at a point of the plane; emits nothing.
+func place(to: Vec2) -> void:
+	_point = to.copy()
+	if _board:
+		_follow_view()
+
+
+## Where it lies, in units of the plane.
+func at() -> Vec2:
+	return _point.copy()
 
 
 ## Whether the handle takes what is at [param pixel] of the whole screen.
@@ -83,6 +107,8 @@ func covers(pixel: Vector2) -> bool:
 
 func _draw() -> void:
 	var middle := size / 2.0
+	if Engine.is_editor_hint():
+		middle = _middle_in_editor()
 	var color := Palette.color(role)
 	if has_focus():
 		draw_arc(middle, dot_radius + 9.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
@@ -113,8 +139,8 @@ func _press(click: InputEventMouseButton) -> void:
 
 
 func _drag_to(motion: InputEventMouseMotion) -> void:
-	var point := _plane_point(motion.position).plus(_grip)
-	moved.emit(point if motion.shift_pressed else _board.snapped_to_step(point))
+	var wanted := _plane_point(motion.position).plus(_grip)
+	moved.emit(wanted if motion.shift_pressed else _board.snapped_to_step(wanted))
 
 
 # The point of the plane below `pixel` of this control.
@@ -154,15 +180,26 @@ func _tie_focus() -> void:
 # The handles themselves come first in the engine's order, unless a Node2D lies between.
 func _after_board() -> Control:
 	var next := _outermost_board.find_next_valid_focus()
-	while next is Handle and (next as Handle).is_on(_outermost_board):
+	while next is Handle and _outermost_board.is_ancestor_of(next):
 		next.focus_next = NodePath()
 		next = next.find_next_valid_focus()
 	return next
 
 
 func _follow_view() -> void:
+	if Engine.is_editor_hint():
+		queue_redraw()
+		return
 	position = _board.to_screen(_point) - size / 2.0
 	queue_redraw()
+
+
+# In the editor the node itself stays where it is: its place would be saved.
+func _middle_in_editor() -> Vector2:
+	if not _board:
+		return Vector2.ZERO
+	var from_board := get_global_transform().affine_inverse() * _board.get_global_transform()
+	return from_board * _board.to_screen(_point)
 
 
 # The nearest board above a node; null where there is none.

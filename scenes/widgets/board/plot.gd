@@ -1,3 +1,4 @@
+@tool
 class_name Plot
 extends Control
 ## A small graph of one function with the point where the lesson is now.
@@ -33,7 +34,9 @@ var _x := 0.0
 
 func _ready() -> void:
 	resized.connect(queue_redraw)
-	accessibility_name = tr(title)
+	# The editor would save it.
+	if not Engine.is_editor_hint():
+		accessibility_name = tr(title)
 
 
 ## Draws [param function], from x to y, with the y axis from -[param y_reach] to y_reach, and the

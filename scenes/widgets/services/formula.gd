@@ -28,6 +28,30 @@ var _shown: PackedStringArray = []
 @onready var _name_finder := RegEx.create_from_string(_NAME_PATTERN)
 
 
+## A symbol, such as `b̂`, in the colour of [param role].
+func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
+	define_symbol(name_in_line, symbol, role)
+
+
+## A number in the colour of [param role]. With a [param title], such as `x of a`, it can be typed
+## over.
+func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
+	define_number(name_in_line, role, title)
+	set_number(name_in_line, value)
+
+
+## A pair of numbers, such as (4, -3), in the colour of [param role].
+func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
+	define_number(name_in_line, role)
+	set_vector(name_in_line, vector)
+
+
+## A text, translated, in the colour of [param role].
+func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
+	define_number(name_in_line, role)
+	set_text(name_in_line, text)
+
+
 ## The name stands for a symbol such as `b̂`. To change what it stands for, define it anew and then
 ## show the lines.
 func define_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:

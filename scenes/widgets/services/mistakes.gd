@@ -16,6 +16,12 @@ func _ready() -> void:
 	_list.add_item(tr("No mistake"))
 
 
+## Adds mistakes to the list.
+func add_all(mistakes: Array[MistakeInfo]) -> void:
+	for mistake in mistakes:
+		add_mistake(mistake)
+
+
 ## Adds a mistake to the list.
 func add_mistake(mistake: MistakeInfo) -> void:
 	_mistakes.append(mistake)

@@ -58,6 +58,12 @@ func show_choice(key: String, place: int) -> void:
 	_lists[key].select(place)
 
 
+## Adds a button for each preset; its title, source text, is its key.
+func add_presets(titles: Array[String]) -> void:
+	for title in titles:
+		add_preset(title, tr(title))
+
+
 ## Adds a button that sets up a ready-made situation; the text is translated.
 func add_preset(key: String, text: String) -> void:
 	var button := Button.new()

@@ -5,10 +5,17 @@ extends FoldableContainer
 
 ## The student wants another question.
 signal exercise_wanted
-## The student wants to see the numbers of the question on the board.
-signal board_wanted
+## The student wants to see the numbers of the question [param exercise] on the board.
+signal board_wanted(exercise: Exercise)
+
+## Draws the numbers of the questions.
+var rng := RandomNumberGenerator.new()
 
 var _exercise: Exercise
+# Makes an exercise of a kind, counted from 0, with a generator of random numbers.
+var _fresh: Callable
+var _kind_count := 1
+var _kind := 0
 var _fields: Array[LineEdit] = []
 
 @onready var _prompt: Label = %Prompt
@@ -21,7 +28,18 @@ var _fields: Array[LineEdit] = []
 func _ready() -> void:
 	_check.pressed.connect(_check_answer)
 	(%New as Button).pressed.connect(exercise_wanted.emit)
-	_show.pressed.connect(board_wanted.emit)
+	_show.pressed.connect(func() -> void: board_wanted.emit(_exercise))
+
+
+## Asks questions that [param fresh] makes: it takes a kind, from 0 to [param kind_count] - 1, and
+## a [RandomNumberGenerator], and returns an [Exercise]. The kinds take turns, from
+## [param first_kind].
+func offer(fresh: Callable, kind_count: int, first_kind: int = 0) -> void:
+	_fresh = fresh
+	_kind_count = kind_count
+	_kind = first_kind
+	exercise_wanted.connect(_ask)
+	_ask()
 
 
 ## Asks the question of [param exercise]; what was answered before is cleared.
@@ -30,12 +48,24 @@ func show_exercise(exercise: Exercise) -> void:
 	_prompt.text = exercise.prompt
 	_verdict.text = ""
 	_show.disabled = true
-	_show.visible = board_wanted.has_connections()
+	# The lesson may connect to the signal after its first question.
+	_offer_board.call_deferred()
 	for child in _answers.get_children():
 		child.queue_free()
 	_fields.clear()
 	for answer_title in exercise.answer_titles:
 		_add_field(answer_title)
+
+
+func _ask() -> void:
+	var exercise: Exercise = _fresh.call(_kind, rng)
+	_kind = (_kind + 1) % _kind_count
+	show_exercise(exercise)
+
+
+# Where nothing listens, the numbers cannot be shown on the board.
+func _offer_board() -> void:
+	_show.visible = board_wanted.has_connections()
 
 
 func _add_field(answer_title: String) -> void:

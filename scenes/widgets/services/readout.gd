@@ -21,8 +21,15 @@ func show_headings(texts: PackedStringArray) -> void:
 func show_result(
 	key: String, title: String, value: float, error: float, nanoseconds: float
 ) -> void:
-	var time := tr("%s ns") % NumberText.short(nanoseconds, 2)
-	show_texts(key, [title, NumberText.short(value), NumberText.size(error), time])
+	show_texts(key, [title, NumberText.short(value), NumberText.size(error), _time(nanoseconds)])
+
+
+## The same for a vector, shown with [param digits] digits.
+func show_vector(
+	key: String, title: String, vector: Vec2, error: float, nanoseconds: float, digits: int = 4
+) -> void:
+	var value := NumberText.pair(vector.x, vector.y, digits)
+	show_texts(key, [title, value, NumberText.size(error), _time(nanoseconds)])
 
 
 ## Shows a row of up to four texts, translated; a new [param key] adds a row below.
@@ -33,6 +40,10 @@ func show_texts(key: String, texts: PackedStringArray) -> void:
 		_add_row(texts)
 	for column in columns:
 		(get_child(_rows[key] * columns + column) as Label).text = texts[column]
+
+
+func _time(nanoseconds: float) -> String:
+	return tr("%s ns") % NumberText.short(nanoseconds, 2)
 
 
 func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:

@@ -2,11 +2,18 @@ class_name Steps
 extends HBoxContainer
 ## Builds a drawing up from nothing: one sentence a step, forward and back.
 
+## The student went to another step: the board and the formula have more or less to show.
+signal view_changed
 ## The student went to this step, counted from 0.
 signal step_changed(step: int)
 
 ## Actions that this service answers to, for the help line.
 const ACTIONS: Array[StringName] = [&"lab_step_back", &"lab_step"]
+
+## The step that is shown, counted from 0.
+var step: int:
+	get:
+		return _step
 
 var _sentences: PackedStringArray = []
 var _step := 0
@@ -22,20 +29,31 @@ func _ready() -> void:
 	_forward.pressed.connect(func() -> void: go_to(_step + 1))
 
 
+## Opens at the step [param first], counted from 0; before the first [method tell].
+func open_at(first: int) -> void:
+	_step = first
+
+
+## Tells one translated sentence a step; the step that is shown stays.
+func tell(sentences: PackedStringArray) -> void:
+	show_sentences(sentences, _step)
+
+
 ## Gives the steps' sentences, translated, and shows the step [param step] of them.
-func show_sentences(sentences: PackedStringArray, step: int) -> void:
+func show_sentences(sentences: PackedStringArray, at: int) -> void:
 	_sentences = sentences
-	_step = clampi(step, 0, sentences.size() - 1)
+	_step = clampi(at, 0, sentences.size() - 1)
 	_refresh()
 
 
 ## Goes to a step, counted from 0; stays inside the first and the last.
-func go_to(step: int) -> void:
-	var wanted := clampi(step, 0, _sentences.size() - 1)
+func go_to(at: int) -> void:
+	var wanted := clampi(at, 0, _sentences.size() - 1)
 	if wanted != _step:
 		_step = wanted
 		_refresh()
 		step_changed.emit(_step)
+		view_changed.emit()
 
 
 func _unhandled_input(event: InputEvent) -> void:

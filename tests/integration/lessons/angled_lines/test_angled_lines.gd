@@ -93,7 +93,7 @@ func test_arrow_keys_nudge_a_handle_that_has_the_focus_instead() -> void:
 func test_the_arrow_of_gravity_can_be_dragged() -> void:
 	var head := Screen.named(screen(), "Head of gravity g")
 	var middle := head.get_global_rect().get_center()
-	await student.drag(middle, middle + Vector2(20.0 * frame().lesson.pixels_per_unit, 0.0))
+	await student.drag(middle, middle + Vector2(20.0 * frame().lesson.board.pixels_per_unit, 0.0))
 	assert_vec2(_gravity(), Vec2.new(200, 300), 1e-6)
 
 

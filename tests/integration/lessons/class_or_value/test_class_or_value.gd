@@ -96,7 +96,7 @@ func _numbers(key: String) -> PackedFloat64Array:
 
 func _place(x: float, y: float) -> Vector2:
 	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.to_screen(Vec2.new(x, y))
+	return lesson.get_global_transform() * lesson.board.to_screen(Vec2.new(x, y))
 
 
 func _field(title: String) -> LineEdit:

@@ -80,7 +80,7 @@ func test_a_head_behind_the_graph_can_be_taken() -> void:
 	var middle := (
 		lesson.get_global_transform().affine_inverse() * plot.get_global_rect().get_center()
 	)
-	var behind := lesson.snapped_to_step(lesson.to_plane(middle))
+	var behind := lesson.board.snapped_to_step(lesson.board.to_plane(middle))
 	await student.enter(field("x of a"), str(behind.x))
 	await student.enter(field("y of a"), str(behind.y))
 	await drag(Vec2.new(ends("a")[2], ends("a")[3]), Vec2.new(0, 4))

@@ -10,7 +10,7 @@ var _b: Vec2
 
 func before_each() -> void:
 	await super.before_each()
-	var rng: RandomNumberGenerator = frame().lesson.get("_rng")
+	var rng := (frame().lesson.services[&"question"] as Question).rng
 	rng.seed = _SEED
 	_question().folded = false
 	await student.settle()

@@ -217,7 +217,7 @@ func test_the_card_gives_way_to_the_wrong_ball_too() -> void:
 		var model := LineDistanceModel.new()
 		model.from_dictionary(frame().lesson.state())
 		var wrong := model.position_with_mistake()
-		var radius := model.ball.radius * frame().lesson.pixels_per_unit
+		var radius := model.ball.radius * frame().lesson.board.pixels_per_unit
 		var covered := card.get_global_rect().grow(radius)
 		assert_false(covered.has_point(place(wrong.x, wrong.y)), str(size))
 

@@ -225,8 +225,7 @@ func _with_head(shot: PackedFloat64Array, x: float, y: float) -> PackedFloat64Ar
 
 
 func _ball_place(field_name: String) -> String:
-	var ball := _field(field_name).get_node("%Ball") as BallView
-	return str(ball.get(&"_centre"))
+	return str((_field(field_name).get_node("%Ball") as BallView).at())
 
 
 func _number_field(title: String) -> LineEdit:

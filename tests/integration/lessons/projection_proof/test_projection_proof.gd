@@ -176,7 +176,7 @@ func _finish_turning() -> void:
 
 func _place(point: Vec2) -> Vector2:
 	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.to_screen(point)
+	return lesson.get_global_transform() * lesson.board.to_screen(point)
 
 
 func _drag(from: Vec2, to: Vec2) -> void:
@@ -206,7 +206,7 @@ func _turned() -> Vector2:
 		handle = frame().lesson.get_node("%HeadA") as Control
 	var lesson := frame().lesson
 	var pixel := handle.position + handle.size / 2.0
-	return lesson.to_plane(pixel).to_vector2().snapped(Vector2(0.01, 0.01))
+	return lesson.board.to_plane(pixel).to_vector2().snapped(Vector2(0.01, 0.01))
 
 
 # How far the graph says that the turn has got.

@@ -212,7 +212,9 @@ func _pick_mistake(item: int) -> void:
 func _drag(from: Vec2, to: Vec2) -> void:
 	var lesson := frame().lesson
 	var transform := lesson.get_global_transform()
-	await student.drag(transform * lesson.to_screen(from), transform * lesson.to_screen(to))
+	await student.drag(
+		transform * lesson.board.to_screen(from), transform * lesson.board.to_screen(to)
+	)
 
 
 func _model() -> ReflectionModel:

@@ -39,12 +39,6 @@ static func take_state(id: String) -> String:
 	return state
 
 
-## One sentence for an id that is in no lesson.
-static func refusal(id: String) -> String:
-	var sentence := TranslationServer.translate("There is no lesson “%s”. There are: %s.")
-	return sentence % [LessonLink.quoted(id), ", ".join(LessonIndex.ids())]
-
-
 ## What stands in `--lesson=<...>`, the first of these command-line arguments that has that form; ""
 ## where none has.
 static func text_in_arguments(arguments: PackedStringArray) -> String:
