@@ -3,10 +3,10 @@
 # opens and closes the export window. Fails when the editor prints an error or a warning, or when a file has changed.
 # Usage: tools/editor/check_editor.sh [--keep]   (--keep: takes the files over as the editor has written them)
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-. "$(dirname "$0")/../common.sh"
-# shellcheck source-path=SCRIPTDIR source=../screen.sh
-. "$(dirname "$0")/../screen.sh"
+# shellcheck source-path=SCRIPTDIR source=../shared/common.sh
+. "$(dirname "$0")/../shared/common.sh"
+# shellcheck source-path=SCRIPTDIR source=../draw/screen.sh
+. "$(dirname "$0")/../draw/screen.sh"
 
 # A space and an accent, as in many home folders.
 copy="$LAB_BUILD/editor check é"
@@ -50,7 +50,7 @@ use_editor() {
 	shift
 	log="$LAB_BUILD/editor_${name// /_}.log"
 	XDG_CONFIG_HOME=$LAB_BUILD/editor_home XDG_DATA_HOME=$LAB_BUILD/editor_home XDG_CACHE_HOME=$LAB_BUILD/editor_home \
-		"$LAB_ROOT/tools/run_with_patience.sh" 60 "$godot" --editor --path "$copy" --audio-driver Dummy \
+		"$LAB_ROOT/tools/shared/run_with_patience.sh" 60 "$godot" --editor --path "$copy" --audio-driver Dummy \
 		--rendering-driver opengl3 -- "$@" >"$log" || status=$?
 	said=$(messages)
 	changed=$(in_copy status --short)

@@ -2,11 +2,11 @@ extends LabTest
 ## Godot's own check of scripts, as `./lab lint` runs it, in a small project with one script.
 
 const PROJECT := "res://build/check_scripts_test"
-const CHECK := "tools/check_scripts.gd"
+const CHECK := "tools/checks/check_scripts.gd"
 
 
 func before_all() -> void:
-	DirAccess.make_dir_recursive_absolute(PROJECT.path_join("tools"))
+	DirAccess.make_dir_recursive_absolute(PROJECT.path_join(CHECK.get_base_dir()))
 	DirAccess.copy_absolute("res://".path_join(CHECK), PROJECT.path_join(CHECK))
 	var settings := FileAccess.open(PROJECT.path_join("project.godot"), FileAccess.WRITE)
 	settings.store_line("config_version=5")

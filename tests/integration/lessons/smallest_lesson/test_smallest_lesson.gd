@@ -6,7 +6,7 @@ const _MOST_LINES := 40
 
 
 func before_each() -> void:
-	await super.before_each()
+	super.before_each()
 	await open_lesson(LessonIndex.find(&"smallest_lesson"))
 
 

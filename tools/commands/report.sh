@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Measures error against run time, and writes build/report/: error_vs_time.csv, report.md, a picture for each problem.
+# Usage: tools/commands/report.sh [--quick] [--peers] [--problems=NUMBER,...]
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=../shared/common.sh
+. "$(dirname "$0")/../shared/common.sh"
+
+usage="usage: ./lab report [--quick] [--peers] [--problems=NUMBER,...]"
+with_peers=
+quick=
+problems=
+for argument; do
+	case $argument in
+		--peers) with_peers=1 ;;
+		--quick) quick=$argument ;;
+		--problems=*)
+			[[ $argument =~ ^--problems=[1-7](,[1-7])*$ ]] ||
+				die 2 "'$argument' is no list of problems; 1 to 7 are possible, such as --problems=1,7"
+			problems=$argument
+			;;
+		*) die 2 "there is no option '$argument'; $usage" ;;
+	esac
+done
+
+measure_libraries() {
+	bring_python_packages "$venv" "box2d==$BOX2D_VERSION" "pymunk==$PYMUNK_VERSION" &&
+		run_script report/write_shots.gd ${quick:+"$quick"} >"$folder/peers.log" &&
+		"$venv/bin/python" "$LAB_ROOT/tools/report/peers.py" "$folder/shots.json" "$folder/peers.json"
+}
+
+prepare_project
+make_build_folder
+folder=$LAB_BUILD/report
+venv=$LAB_CACHE/peers-venv
+mkdir -p "$folder"
+rm -f "$folder"/*
+if [ -n "$with_peers" ]; then
+	measure_libraries || say "Box2D and Chipmunk could not be had or run: the report goes on without them"
+fi
+"$LAB_ROOT/tools/shared/run_with_patience.sh" 120 "$godot" --headless --fixed-fps 60 --path "$LAB_ROOT" \
+	-s tools/report/report.gd -- ${quick:+"$quick"} ${problems:+"$problems"}
+rm -f "$folder/shots.json" "$folder/peers.json" "$folder/peers.log"
+[ -s "$folder/report.md" ] || die 1 "no report was written; see what Godot said above"
+say "written: build/report/report.md, error_vs_time.csv and a picture for each problem"
