@@ -24,6 +24,12 @@ problems() {
 	engine_messages "$results/shown.txt"
 }
 
+tell_slowest() {
+	[ -f "$results/junit.xml" ] || return 0
+	printf '\nThe slowest test scripts:\n'
+	awk -f "$LAB_ROOT/tools/checks/slowest_scripts.awk" "$results/junit.xml" | sort -rn | sed -n 1,10p
+}
+
 trap 'printf "\n0 passed, 1 failed\n"' EXIT
 prepare_project
 trap - EXIT
@@ -37,6 +43,7 @@ rm -f "$report" "$results/junit.xml"
 
 status=0
 run_tests "$@" || status=$?
+tell_slowest
 found=$(problems)
 [ "$status" -eq 0 ] || [ -n "$found" ] || found="Godot ended with exit code $status"
 
