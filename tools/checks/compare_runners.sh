@@ -15,7 +15,7 @@ counts() {
 		END { printf "%d scripts, %d tests, %d asserts, %d failed\n", scripts, tests, asserts, failed }' "$1"
 }
 
-if ! grep -qs "^version=\"$GUT_VERSION\"" "$LAB_ROOT/addons/gut/plugin.cfg"; then
+if [ ! -f "$LAB_ROOT/addons/gut/gut.gd" ]; then
 	echo "GUT is not here: there is nothing to compare its stand-in with"
 	exit
 fi

@@ -5,6 +5,7 @@ set -euo pipefail
 . "$(dirname "$0")/../shared/common.sh"
 
 godot=$("$LAB_ROOT/tools/get/get_godot.sh")
+know_engine "$godot"
 say "Godot $("$godot" --version) is $godot"
 "$LAB_ROOT/tools/get/get_gut.sh" --try-all
 say "$(sed -n 's/^name="\(.*\)"/\1/p' "$LAB_ROOT/addons/gut/plugin.cfg")" \

@@ -53,7 +53,8 @@ from_network() {
 		*) die 2 "there is no Godot to download for $(uname -sm): $by_hand" ;;
 	esac
 	"$LAB_ROOT/tools/get/get_godot_official.sh" "$LAB_CACHE/godot-$GODOT_VERSION" && return
-	[ "$(uname -sm)" = "Linux x86_64" ] && command -v apt-get >/dev/null &&
+	# Debian has Godot 4.6 only.
+	[[ $GODOT_VERSION == 4.6* ]] && [ "$(uname -sm)" = "Linux x86_64" ] && command -v apt-get >/dev/null &&
 		"$LAB_ROOT/tools/get/get_godot_debian.sh" "$LAB_CACHE/godot-$GODOT_VERSION-debian" && return
 	die 1 "Godot could not be had: $by_hand"
 }

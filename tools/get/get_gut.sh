@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
 # Puts GUT into addons/gut: the copy that is there, the cache, $GUT_REPO, the public repository; else the stand-in.
-# GUT_REPO=none asks for the stand-in.
+# GUT_REPO=none asks for the stand-in. GODOT_VERSION decides which GUT: 9.6 is for Godot 4.6, 9.7 for Godot 4.7.
 # Usage: tools/get/get_gut.sh [--try-all]   (asks the network again even where the stand-in is already in place)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
+case $GODOT_VERSION in
+	4.[0-6] | 4.[0-6].*) GUT_VERSION=9.6.0 GUT_COMMIT=9f3edeb19df664ad32c369353d8d62dbb7b80673 ;;
+	*) GUT_VERSION=9.7.0 GUT_COMMIT=3e53dbc69ff6ba4d975edf302bbce23c40686e1e ;;
+esac
 place=$LAB_ROOT/addons/gut
 cached=$LAB_CACHE/gut-$GUT_VERSION
 stand_in=$LAB_ROOT/addons/gut_standin/as_gut

