@@ -22,6 +22,11 @@ var setting: String:
 var is_peer := false
 ## Microseconds per simulated second, or per call where the problem says so: the median of the runs.
 var run_time_us := 0.0
+## A quarter of the runs took at most this long, in the unit of [member run_time_us]; NAN where only
+## the median is known.
+var lower_quartile_us := NAN
+## A quarter of the runs took at least this long; NAN where only the median is known.
+var upper_quartile_us := NAN
 ## How far from the exact answer, 0 or more in [member error_unit]; or [constant NO_ANSWER].
 var error := 0.0
 ## What the error is counted in, such as px.

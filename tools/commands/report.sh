@@ -1,16 +1,37 @@
 #!/usr/bin/env bash
 # Measures error against run time, and writes build/report/: error_vs_time.csv, report.md, a picture for each problem.
-# Usage: tools/commands/report.sh [--quick] [--peers] [--problems=NUMBER,...]
+# Usage: tools/commands/report.sh [--quick] [--peers] [--problems=NUMBER,...] [--against FILE]... [--also FILE]...
+# --against FILE: an error_vs_time.csv of an older version: the report then has the ratio of the run times of each row
+# that is in both, with its spread. Several of them, and with --also several of the present version, give a better spread.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
-usage="usage: ./lab report [--quick] [--peers] [--problems=NUMBER,...]"
+usage="usage: ./lab report [--quick] [--peers] [--problems=NUMBER,...] [--against FILE]... [--also FILE]..."
 with_peers=
 quick=
 problems=
-for argument; do
+compared=()
+
+# keep_table OPTION FILE: a copy, because the new report replaces what is in build/report/.
+keep_table() {
+	[ -n "${2:-}" ] || die 2 "'$1' needs the error_vs_time.csv of another report; $usage"
+	[[ $(head -n 1 "$2" 2>/dev/null) == problem,method,setting,peer,run_time_us,* ]] ||
+		die 2 "'$2' is no error_vs_time.csv of a report; $usage"
+	make_build_folder
+	mkdir -p "$LAB_BUILD/compared_reports"
+	cp "$2" "$LAB_BUILD/compared_reports/${#compared[@]}.csv"
+	compared+=("$1=$LAB_BUILD/compared_reports/${#compared[@]}.csv")
+}
+
+while [ $# -gt 0 ]; do
+	argument=$1
+	shift
 	case $argument in
+		--against | --also)
+			keep_table "$argument" "${1:-}"
+			shift
+			;;
 		--peers) with_peers=1 ;;
 		--quick) quick=$argument ;;
 		--problems=*)
@@ -38,7 +59,8 @@ if [ -n "$with_peers" ]; then
 	measure_libraries || say "Box2D and Chipmunk could not be had or run: the report goes on without them"
 fi
 "$LAB_ROOT/tools/shared/run_with_patience.sh" 120 "$godot" --headless --fixed-fps 60 --path "$LAB_ROOT" \
-	-s tools/report/report.gd -- ${quick:+"$quick"} ${problems:+"$problems"}
+	-s tools/report/report.gd -- ${quick:+"$quick"} ${problems:+"$problems"} \
+	${compared[@]+"${compared[@]}"}
 rm -f "$folder/shots.json" "$folder/peers.json" "$folder/peers.log"
 [ -s "$folder/report.md" ] || die 1 "no report was written; see what Godot said above"
 say "written: build/report/report.md, error_vs_time.csv and a picture for each problem"
