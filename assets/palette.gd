@@ -1,13 +1,13 @@
 class_name Palette
 extends RefCounted
-## Every colour of the lab, by the role it plays. Nothing else names a colour.
+## Every color of the lab, by its role. Nothing else names a color: the theme is painted from here
+## by `tools/draw/paint_theme.gd`.
 ##
 ## The hues follow the set of Okabe and Ito, darkened until text in them reads on [constant PAPER]
-## (contrast 4.5 or more), and stay apart for readers with any of the three kinds of colour
-## blindness:
-## a test simulates them. Colour never stands alone: arrows carry a label, lines a pattern.
+## (contrast 4.5 or more), and can be told apart with any of the three kinds of color blindness; a
+## test simulates them. Color is never the only sign: arrows have a label, lines a pattern.
 
-## What a colour stands for in a picture, a formula and a readout.
+## What a color means in a picture, a formula and a readout.
 enum Role { INK, QUIET, A, B, UNIT, PROJECTION, REST, RIGHT, WRONG }
 
 ## The board behind arrows and text.
@@ -38,6 +38,6 @@ const _COLORS: Dictionary[Role, Color] = {
 }
 
 
-## The colour of a role.
+## The color of a role.
 static func color(role: Role) -> Color:
 	return _COLORS[role]

@@ -383,8 +383,8 @@ static func _are_ordinary(a: float, b: float) -> bool:
 	return minf(a, b) > _SMALLEST_ORDINARY and maxf(a, b) < _LARGEST_ORDINARY
 
 
-## The power of two that brings the larger component near 1. Multiplying by it rounds nothing that
-## counts beside that component.
+# The power of two that brings the larger component near 1. Multiplying by it loses no digit that
+# matters beside that component.
 static func _factor_to_about_one(across: float, down: float) -> float:
 	var exponent := floorf(log(maxf(absf(across), absf(down))) / log(2.0))
 	return pow(2.0, clampf(-exponent, -1000.0, 1000.0))

@@ -2,7 +2,7 @@ class_name BoardLink
 extends RefCounted
 ## The link to the board of an open lesson: opens one, and copies the one to the board as it is.
 
-# So much of a copied link is shown.
+# A longer link is shown with this many letters.
 const _LONGEST_SHOWN := 60
 
 var _id: String
@@ -27,15 +27,15 @@ func open(text_of_state: String) -> String:
 	return TranslationServer.translate("This link cannot be opened: %s") % link.problem
 
 
-## Whatever stands behind # in a link to the board as it is: `dot_product?a=7,1`.
+## The text behind # in a link to the board as it is: `dot_product?a=7,1`.
 func text() -> String:
 	var state := _lesson.link_state()
 	var differing := LessonLink.text_of(state, _lesson.link_base(_first, state))
 	return "%s?%s" % [_id, differing] if differing else _id
 
 
-## Copies the link to the board as it is: the page's whole address in a browser, else what stands
-## behind its #. One sentence on what has been done.
+## Copies the link to the board as it is: in a browser the page's whole address, else the text
+## behind its #. Returns one sentence that says what was copied.
 func copy() -> String:
 	var whole := text()
 	var problem := _read(whole.trim_prefix(_id).trim_prefix("?")).problem

@@ -50,7 +50,7 @@ const _SIGNS: Dictionary[Key, String] = {
 
 
 ## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad. Actions that
-## follow each other with the same purpose stand together: `0…9 scene`.
+## follow each other with the same purpose share one entry: `0…9 scene`.
 static func line(actions: Array[StringName], for_joypad: bool) -> String:
 	var keys: Dictionary[String, PackedStringArray] = {}
 	for action in actions:

@@ -3,7 +3,7 @@ extends PanelContainer
 ## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
 ## undo.
 
-## The student wants to leave. The way back is offered where something listens.
+## The student wants to leave. A way back is offered only where something listens.
 signal left
 ## A link to another lesson is to be opened.
 signal other_lesson_wanted(lesson: LessonInfo)
@@ -26,9 +26,8 @@ var lesson: Lesson
 ## The link to its board.
 var link: BoardLink
 
-var _first_state: Dictionary
-var _last_state: Dictionary
-var _history := UndoRedo.new()
+# Null where the lesson could not be opened, as is the link.
+var _history: LessonHistory
 var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 
 @onready var _body: BoxContainer = %Body
@@ -45,15 +44,14 @@ func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
 	WindowFit.follow(get_window())
-	_fill_window(true)
+	SoftwareDrawing.fill_window(get_window(), true)
 	Signs.add_to_font()
 	(%Title as Label).text = _title()
 	_offer_way_back()
-	(%Reset as Button).pressed.connect(_reset)
-	(%CopyLink as Button).pressed.connect(_copy_link)
-	_undo.pressed.connect(_history.undo)
-	_redo.pressed.connect(_history.redo)
-	_history.version_changed.connect(_refresh_buttons)
+	(%Reset as Button).pressed.connect(_act.bind(&"lab_reset"))
+	(%CopyLink as Button).pressed.connect(_act.bind(&"lab_copy_link"))
+	_undo.pressed.connect(_act.bind(&"lab_undo"))
+	_redo.pressed.connect(_act.bind(&"lab_redo"))
 	resized.connect(_turn)
 	_turn()
 	_open()
@@ -66,45 +64,29 @@ func _ready() -> void:
 func follow_link(text: String) -> void:
 	LessonRequest.ask(text)
 	_open_requested()
-	_store()
+	_history.store()
 
 
 func _exit_tree() -> void:
-	_fill_window(false)
-	_history.free()
+	SoftwareDrawing.fill_window(get_window(), false)
 
 
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
 		left.emit()
-	elif event.is_action_pressed(&"lab_redo", false, true):
-		_history.redo()
-	elif event.is_action_pressed(&"lab_undo", false, true):
-		_history.undo()
-	elif event.is_action_pressed(&"lab_reset", false, true):
-		_reset()
-	elif event.is_action_pressed(&"lab_copy_link", false, true):
-		_copy_link()
+	for action: StringName in [&"lab_undo", &"lab_redo", &"lab_reset", &"lab_copy_link"]:
+		if event.is_action_pressed(action, false, true):
+			_act(action)
 
 
 func _input(event: InputEvent) -> void:
-	# A notice stands until the student does the next thing, which may bring another.
+	# A notice is shown until the next input, which may bring another.
 	if event.is_pressed():
 		_show_notice("")
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
 		_show_help(true)
-
-
-# The frame fills the window with every frame, so nothing has to be cleared before, and the window
-# may count as transparent: the engine then keeps 8 bits a colour instead of 10, which are mixed in
-# two thirds of the time without a graphics card.
-func _fill_window(fills: bool) -> void:
-	var server := RenderingServer
-	var mode := server.VIEWPORT_CLEAR_NEVER if fills else server.VIEWPORT_CLEAR_ALWAYS
-	server.viewport_set_clear_mode(get_window().get_viewport_rid(), mode)
-	get_window().transparent_bg = fills
 
 
 func _open() -> void:
@@ -115,10 +97,13 @@ func _open() -> void:
 	if errors.first:
 		_say_why_not_opened(errors.first)
 		return
-	_first_state = lesson.state()
+	_history = LessonHistory.new(lesson)
+	add_child(_history)
+	_history.changed.connect(_refresh_buttons)
+	lesson.edited.connect(_history.store)
 	link = BoardLink.new(lesson_info.id, lesson)
 	_open_requested()
-	_last_state = lesson.state()
+	_history.begin_here()
 	WebPage.follow_fragment(follow_link)
 
 
@@ -129,7 +114,6 @@ func _start_lesson() -> void:
 	_announce(lesson)
 	lesson.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_board_place.add_child(lesson)
-	lesson.edited.connect(_store)
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
 
@@ -178,33 +162,18 @@ func _keep_in_view(service: FoldableContainer) -> void:
 		_panel.ensure_control_visible.call_deferred(service)
 
 
-func _store() -> void:
-	var now := lesson.state()
-	if now == _last_state:
+func _act(action: StringName) -> void:
+	if not _history:
 		return
-	_history.create_action("edit")
-	_history.add_do_method(_show_state.bind(now))
-	_history.add_undo_method(_show_state.bind(_last_state))
-	_history.commit_action(false)
-	_last_state = now
-
-
-func _show_state(stored: Dictionary) -> void:
-	_last_state = stored
-	lesson.show_state(stored)
-
-
-func _reset() -> void:
-	if not lesson:
-		return
-	lesson.show_state(lesson.reset_state(_first_state))
-	_store()
-
-
-func _copy_link() -> void:
-	if not lesson:
-		return
-	_show_notice(link.copy())
+	match action:
+		&"lab_undo":
+			_history.undo()
+		&"lab_redo":
+			_history.redo()
+		&"lab_reset":
+			_history.reset()
+		&"lab_copy_link":
+			_show_notice(link.copy())
 
 
 # A lesson that is not in the index has no number.
@@ -225,7 +194,7 @@ func _open_requested() -> void:
 		_show_notice(LessonIndex.refusal(id))
 
 
-# A link that names the lesson alone asks for its start; where nothing was asked it is there.
+# A link that names only the lesson asks for its start. Without a link the lesson is at its start.
 func _open_state(text_of_state: String, is_named: bool) -> void:
 	if not text_of_state and not is_named:
 		return
@@ -252,8 +221,8 @@ func _show_help(for_joypad: bool) -> void:
 
 
 func _refresh_buttons() -> void:
-	_undo.disabled = not _history.has_undo()
-	_redo.disabled = not _history.has_redo()
+	_undo.disabled = not _history or not _history.has_undo()
+	_redo.disabled = not _history or not _history.has_redo()
 
 
 # Board above the panel in a tall window, beside it in a wide one.

@@ -1,11 +1,10 @@
 class_name PageText
 extends Node
-## The words on the screen for the page around the lab: a canvas says nothing to people who do not
-## see it.
+## The words on the screen, for the page around the lab: a screen reader cannot read a canvas.
 ##
 ## Collects what labels, fields and lists show, so that no lesson has to do anything for it.
 
-## The words are not what they were.
+## The words have changed.
 signal changed(text: String)
 
 ## Seconds between two looks at the screen.
@@ -21,8 +20,8 @@ func _init(parts: Array[Control]) -> void:
 	_parts = parts
 
 
-## From now on the page knows what stands in these parts of [param screen], and when it was drawn
-## for the first time.
+## From now on the page is told what these parts of [param screen] show, and when the first frame
+## was drawn.
 static func tell_page(screen: Control, parts: Array[Control]) -> void:
 	if not WebPage.is_there():
 		return
@@ -65,7 +64,7 @@ static func _lines_in(control: Control) -> PackedStringArray:
 	for child in control.get_children():
 		if child is Control:
 			lines.append_array(_lines_in(child as Control))
-	# What stands side by side is read as one line.
+	# What is side by side is read as one line.
 	if lines and control is HBoxContainer:
 		return [" ".join(lines)]
 	if lines and control is HFlowContainer and control.get_children().all(_is_part_of_formula):
@@ -86,7 +85,7 @@ static func _formula_of(texts: PackedStringArray) -> String:
 
 
 # A table: the first column is what its row is about. Where the first row has no title it holds the
-# headings; that of the first column of values goes without saying.
+# headings; the heading of the first column of values is left out.
 static func _rows_of(table: GridContainer) -> PackedStringArray:
 	var cells: PackedStringArray = []
 	for child in table.get_children():
@@ -105,7 +104,7 @@ static func _rows_of(table: GridContainer) -> PackedStringArray:
 	return lines
 
 
-# Buttons are left out: what they say is what could be done, not what is.
+# Buttons are left out: they say what can be done, not what is shown.
 static func _text_of(control: Control) -> String:
 	if control is Label:
 		return control.atr((control as Label).text)

@@ -5,11 +5,12 @@ extends RefCounted
 const _BATCHES := 7
 const _MIDDLE := 3
 const _CALLS := 40
-# Browsers round the time to 0.1 ms or so: measuring for so many microseconds keeps that to 10 %.
+# Browsers round the time to about 0.1 ms: measuring this many microseconds keeps the error below
+# 10 %.
 const _LONG_ENOUGH := 1000
-# The fastest of so many: whatever comes between makes a call slower, never faster.
+# The fastest of this many runs counts: interruptions make a call slower, never faster.
 const _TRIES := 3
-# Even a call that takes no time comes to an end.
+# Measuring ends even if a call takes no time.
 const _MOST_CALLS := 10_000
 
 # Nanoseconds that calling an empty function takes in a browser; NAN before it was measured.
@@ -28,7 +29,7 @@ static func nanoseconds(function: Callable) -> float:
 
 
 ## Nanoseconds for one call of [param function] by a [param clock] that tells microseconds in large
-## steps: the mean of as many calls as it takes, the lowest of three.
+## steps: the mean over enough calls, the lowest of three.
 static func fastest_by(clock: Callable, function: Callable) -> float:
 	var fastest := INF
 	for i in _TRIES:

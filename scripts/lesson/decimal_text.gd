@@ -11,7 +11,7 @@ const SMALLEST := 1e-100
 const LARGEST := 1e100
 
 const _PATTERN := "^(-?)(?=\\.?\\d)(\\d{0,30})(?:\\.(\\d{0,30}))?(?:[eE]([+-]?\\d{1,3}))?\\z"
-# So many fit into an int; no double needs more than 17.
+# More digits do not fit into an int; no double needs more than 17.
 const _MOST_DIGITS := 18
 
 static var _pattern := RegEx.create_from_string(_PATTERN)
@@ -54,7 +54,7 @@ static func _size_of(whole: int, exponent: int) -> float:
 	return size if size >= SMALLEST and size <= LARGEST else NAN
 
 
-# An int may have more bits than a double: in two parts it has not.
+# An int can have more bits than a double, so it is split into two parts.
 static func _exactly(whole: int) -> DoubleDouble:
 	var lower := whole % 1_000_000_000
 	return DoubleDouble.sum_of(float(whole - lower), float(lower))

@@ -2,7 +2,7 @@ class_name LessonInfo
 extends Resource
 ## What the lab knows of a lesson before it is opened: enough for its card, nothing of its scene.
 ##
-## Lies as `lesson.tres` in the lesson's folder; the scene beside it is named after the [member id].
+## It is `lesson.tres` in the lesson's folder; the scene beside it is named after the [member id].
 
 ## Stable name in links, on the command line and in file names: snake_case, no number.
 @export var id: StringName

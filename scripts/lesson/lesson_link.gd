@@ -10,13 +10,13 @@ extends RefCounted
 
 ## No text longer than this is read.
 const LONGEST := 16000
-## An array holds at most so many lists.
+## An array holds at most this many lists.
 const MOST_LISTS := 100
 
-# So much of a text that cannot be taken is told.
+# A refused text is quoted with at most this many letters.
 const _LONGEST_QUOTE := 30
 
-## The state that was read; means something only without a [member problem].
+## The state that was read; meaningless if there is a [member problem].
 var state: Dictionary
 ## "" if the text could be read; else one sentence with the value and what is allowed, translated.
 var problem := ""
@@ -88,7 +88,7 @@ func _take(part: String, base: Dictionary) -> void:
 		_take_value(name, part.trim_prefix(name + "="), base[name])
 
 
-# What kind of value it must be is told by the one that the lesson has at first.
+# The value at the lesson's start says which kind of value it must be.
 func _take_value(name: String, text: String, first: Variant) -> void:
 	match typeof(first):
 		TYPE_BOOL:

@@ -21,8 +21,8 @@ static func ask(text: String) -> void:
 	_lesson_of_state = _id
 
 
-## The id asked for; "" where none was. Asks once: who comes back from the lesson finds the start
-## screen.
+## The id asked for; "" if none was. Only the first call returns it: later the start screen stays
+## open.
 static func take_id() -> String:
 	if not _is_read:
 		ask(_text_at_start())
@@ -31,15 +31,15 @@ static func take_id() -> String:
 	return id
 
 
-## The state asked for of the lesson [param id]; "" where none was. Asks once: whatever lesson is
-## opened, the request is done with.
+## The state asked for of the lesson [param id]; "" if none was. Only the first call returns it,
+## whichever lesson it asks for.
 static func take_state(id: String) -> String:
 	var state := _state if id == _lesson_of_state else ""
 	_state = ""
 	return state
 
 
-## What stands in `--lesson=<...>`, the first of these command-line arguments that has that form; ""
+## The text in `--lesson=<...>`, the first of these command-line arguments that has that form; ""
 ## where none has.
 static func text_in_arguments(arguments: PackedStringArray) -> String:
 	for argument in arguments:
@@ -54,7 +54,7 @@ static func _text_at_start() -> String:
 
 
 # Browsers and chats write some letters of a link as %2C or %2c; the engine decodes the former only.
-# What stands for no letter of ASCII cannot belong to a request and stays as it is.
+# An escape that is no letter of ASCII cannot belong to a request and stays as it is.
 static func _without_escapes(text: String) -> String:
 	var plain := text
 	for escape in RegEx.create_from_string("%(?:[2-6][0-9A-Fa-f]|7[0-9A-Ea-e])").search_all(text):

@@ -9,9 +9,9 @@ const MINUS := "\u2212"
 const LARGEST := 1e100
 
 
-## [param value] with at most [param digits] significant digits, or as many as stand before the
-## point, and no trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as `3e15`.
-## NaN and infinity by name.
+## [param value] with at most [param digits] significant digits, or as many as there are before the
+## point, and without trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as
+## `3e15`. NaN and infinity by name.
 static func short(value: float, digits: int = 4) -> String:
 	if is_nan(value):
 		return "NaN"
@@ -43,7 +43,7 @@ static func size(value: float) -> String:
 	return short(absf(value), 2)
 
 
-## A number in a sum or product: a negative one stands in parentheses.
+## A number in a sum or product: a negative one is put in parentheses.
 static func factor(value: float, digits: int = 4) -> String:
 	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
 
@@ -87,7 +87,7 @@ static func _decimal(value: float, digits: int) -> String:
 
 static func _scientific(value: float, digits: int) -> String:
 	var exponent := floori(log(absf(value)) / log(10.0) + 1e-12)
-	# In two parts: 10^-324 itself is no double any more.
+	# In two parts: 10^-324 itself is too small for a double.
 	var half := floori(exponent / 2.0)
 	var mantissa := _decimal(value / pow(10.0, half) / pow(10.0, exponent - half), digits)
 	if mantissa.trim_prefix("-") == "10":

@@ -3,8 +3,8 @@ extends RefCounted
 ## The page in the browser around the lab: its address, and what it is told. Where there is no page
 ## nothing happens.
 
-# Who wants to know that the part of the address from # on was changed, and what the page calls:
-# that must be kept, or it is freed.
+# Who is told that the part of the address from # on has changed, and the callback for the page: it
+# is freed if nothing keeps it.
 static var _follower: Callable
 static var _listener: JavaScriptObject
 static var _has_told_first_frame := false

@@ -46,13 +46,15 @@ func test_the_back_button_leads_to_the_start_screen() -> void:
 	assert_eq(screen().scene_file_path, START_SCREEN)
 
 
-func test_the_window_draws_with_eight_bits_a_color_while_a_frame_fills_it() -> void:
+func test_without_a_graphics_card_the_window_draws_with_eight_bits_a_color() -> void:
 	var window := get_window()
-	assert_false(window.transparent_bg)
-	await open_lesson(_STILL)
-	assert_true(window.transparent_bg)
-	screen().free()
-	assert_false(window.transparent_bg)
+	for is_on: bool in [true, false]:
+		SoftwareDrawing.is_on = is_on
+		assert_false(window.transparent_bg)
+		await open_lesson(_STILL)
+		assert_eq(window.transparent_bg, is_on)
+		screen().free()
+		assert_false(window.transparent_bg)
 
 
 func test_where_nothing_listens_no_way_back_is_offered() -> void:

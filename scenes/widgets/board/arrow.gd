@@ -3,7 +3,7 @@ class_name Arrow
 extends BoardPart
 ## An arrow between two points of the plane, with a label; solid or dashed.
 
-## Where along the arrow its label stands.
+## Where along the arrow its label is.
 enum LabelPlace { HEAD, MIDDLE }
 
 ## A head shorter than this, in pixels, is not drawn: the arrow is then a dot.
@@ -26,7 +26,7 @@ const SHORTEST := 2.0
 	set(value):
 		label = value
 		queue_redraw()
-## Which colour it has, here and in formulas.
+## Which color it has, here and in formulas.
 @export var role := Palette.Role.INK
 ## Thickness of the shaft in pixels.
 @export_range(1.0, 12.0, 0.5, "suffix:px") var width := 5.0
@@ -95,7 +95,7 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 		draw_line(from, neck + direction, color, width, true)
 	if has_tip:
 		var side := direction.orthogonal() * tip_length * 0.45
-		# Not as a polygon: far outside the board, the engine finds no triangle in one.
+		# Not as a polygon: far outside the board the engine cannot triangulate one.
 		var corners: PackedVector2Array = [to, neck + side, neck - side]
 		draw_primitive(corners, [color], [])
 

@@ -3,7 +3,7 @@ class_name BallHandle
 extends Handle
 ## A ball as a handle: it can be taken hold of anywhere inside its rim.
 
-# A ball is never larger on screen than this, in pixels: controls know no larger numbers.
+# A ball is never larger on screen than this, in pixels: controls cannot be larger.
 const _LARGEST := 1e5
 
 ## Radius of the ball that it lies on, in units of the plane.

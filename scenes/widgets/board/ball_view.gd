@@ -3,7 +3,7 @@ class_name BallView
 extends BoardPart
 ## A ball on the board, in its true size; filled, or an outline where it only shows a place.
 
-## Where its centre is, in units of the plane. 32 bits; [method lay] keeps all digits.
+## Where its center is, in units of the plane. 32 bits; [method lay] keeps all digits.
 @export var center := Vector2.ZERO:
 	get:
 		return _center.to_vector2()
@@ -27,13 +27,13 @@ extends BoardPart
 var _center := Vec2.new()
 
 
-## Shows a ball of radius [param its_radius] with its centre at [param to], in units of the plane.
+## Shows a ball of radius [param its_radius] with its center at [param to], in units of the plane.
 func lay(to: Vec2, its_radius: float) -> void:
 	_center = to.copy()
 	radius = its_radius
 
 
-## Where its centre is, in units of the plane.
+## Where its center is, in units of the plane.
 func at() -> Vec2:
 	return _center.copy()
 
@@ -44,7 +44,7 @@ func spanned_points() -> Array[Vec2]:
 
 func _draw() -> void:
 	var middle := board.to_screen(_center)
-	# 32-bit drawing knows no larger circles than 1e6 pixels.
+	# In 32 bits a circle larger than 1e6 pixels is drawn wrongly.
 	var pixels := clampf(radius * board.pixels_per_unit, 1.5, 1e6)
 	var color := Palette.color(role)
 	if is_ghost:

@@ -34,7 +34,7 @@ const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
 
-## Draws its own ground; not where a [Grid] lies on it, which has the same.
+## Draws its own background; false where a [Grid] lies on it, which draws the same.
 var has_paper := true:
 	set(value):
 		has_paper = value
@@ -149,8 +149,8 @@ func focusable_handles() -> Array[Control]:
 	return handles().filter(func(handle: Control) -> bool: return handle.focus_mode != FOCUS_NONE)
 
 
-# A click leaves the focus with the board. Tab and gamepad come to a handle: coming backwards, to
-# the last.
+# After a click the board keeps the focus. Tab and gamepad go on to the first handle, or backwards
+# to the last.
 func _pass_focus_on() -> void:
 	var all := focusable_handles()
 	if all.is_empty() or Input.get_mouse_button_mask() != 0:

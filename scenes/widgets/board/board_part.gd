@@ -36,8 +36,8 @@ func show_change() -> void:
 	_span()
 
 
-## A text with a rim of the board's colour, so that it reads on top of lines; [param middle] is its
-## centre.
+## A text with a rim of the board's color, so that it reads on top of lines; [param middle] is its
+## center.
 func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
 	var font := ThemeDB.fallback_font
 	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)

@@ -30,7 +30,7 @@ const _FONT_SIZE := 20
 		show_change()
 ## The label beside it, such as `a = 40`, as it is to be read.
 @export var label := ""
-## Its colour, here and in formulas.
+## Its color, here and in formulas.
 @export var role := Palette.Role.INK
 ## How far beside the two points it is drawn.
 @export_range(0.0, 200.0, 1.0, "suffix:px") var offset := 0.0

@@ -1,8 +1,8 @@
 @tool
 class_name DotTexture
 extends RefCounted
-## Pictures of round things with a rim. All that have the same picture are drawn in one call; drawn
-## as circles each would take several, which shows where no graphics card helps.
+## Pictures of round things with a rim. All that share a picture are drawn in one call; as circles
+## each would take several, which is slow without a graphics card.
 
 ## Thickness of the rim in pixels.
 const RIM := 3.0
@@ -15,7 +15,7 @@ const _SVG := (
 static var _made: Dictionary[String, Texture2D] = {}
 
 
-## A disc in the colours [param fill] and [param rim], of [param radius] pixels to the middle of the
+## A disc in the colors [param fill] and [param rim], of [param radius] pixels to the middle of the
 ## rim; sharp at any scale of the window. The same picture for every call with the same arguments.
 static func of(fill: Color, rim: Color, radius: float) -> Texture2D:
 	var side := 2.0 * radius + RIM + 1.0

@@ -27,7 +27,7 @@ signal released
 		label = value
 		if is_node_ready():
 			_arrow.label = value
-## Its colour, here and in formulas.
+## Its color, here and in formulas.
 @export var role := Palette.Role.A:
 	set(value):
 		role = value

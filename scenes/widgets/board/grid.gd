@@ -4,8 +4,7 @@ extends BoardPart
 ## Grid with axes: lines at every step, numbers where there is room, x to the right and y down, or
 ## up where the board has it so.
 ##
-## It stands still while balls move, so it is drawn once into a picture, and again when the view
-## changes.
+## Without a graphics card it is drawn once into a picture, and again when the view changes.
 
 ## Also draw the axes with their numbers, not just the lines.
 @export var axes := true
@@ -16,7 +15,7 @@ var _canvas: StillCanvas
 func _ready() -> void:
 	var lines := GridLines.new()
 	lines.axes = axes
-	if Engine.is_editor_hint() or not board:
+	if Engine.is_editor_hint() or not board or not SoftwareDrawing.is_on:
 		add_child(lines)
 		return
 	_canvas = StillCanvas.new()
@@ -29,10 +28,13 @@ func _ready() -> void:
 	_fit()
 
 
-## Draws [param item], which lies on the board and mostly stands still, into the grid's picture: it
-## costs nothing while other things move, and is below them.
+## Draws [param item], which lies on the board and seldom changes, together with the grid: below all
+## that moves. It stays where it is in the tree, with its input and focus.
 func take(item: CanvasItem) -> void:
-	_canvas.take(item)
+	if _canvas:
+		_canvas.take(item)
+	else:
+		RenderingServer.canvas_item_set_parent(item.get_canvas_item(), get_canvas_item())
 
 
 func _fit() -> void:

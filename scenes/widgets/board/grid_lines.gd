@@ -57,7 +57,7 @@ func _draw_tip(at: Vector2, direction: Vector2) -> void:
 	draw_colored_polygon(PackedVector2Array([at, back + side, back - side]), Palette.AXIS)
 
 
-# So many pixels before the end of the y axis to which y grows.
+# A place this many pixels before the end of the y axis towards which y grows.
 func _y_end(pixels: float) -> float:
 	return pixels if board.is_y_up else board.size.y - pixels
 

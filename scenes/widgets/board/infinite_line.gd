@@ -17,7 +17,7 @@ extends BoardPart
 	set(value):
 		_direction = Vec2.from_vector2(value).normalized()
 		show_change()
-## Its colour.
+## Its color.
 @export var role := Palette.Role.QUIET
 ## Thickness in pixels.
 @export_range(1.0, 12.0, 0.5, "suffix:px") var width := 2.0

@@ -1,13 +1,13 @@
 class_name PlotLegend
 extends RefCounted
-## Which mark of a plot stands for what: in rows, as many as the width asks for.
+## Which mark of a plot means what, in as many rows as the width needs.
 
 const _FONT_SIZE := 16
 const _ROW := 25.0
 # From the mark's middle to its text, and from there to the next mark.
 const _BESIDE := 18.0
 const _GAP := 20.0
-# How much of a line stands for a line.
+# The length of the sample of a line.
 const _STROKE := 26.0
 
 var _names: PackedStringArray = []
@@ -15,15 +15,15 @@ var _is_hollow: Array[bool] = []
 var _line_name := ""
 
 
-## Names the series, translated, and says which have hollow marks; [param line_name] stands beside a
-## dashed line.
+## Names the series, translated, and says which have hollow marks; [param line_name] is the text
+## beside a dashed line.
 func name_series(names: PackedStringArray, is_hollow: Array[bool], line_name: String) -> void:
 	_names = names
 	_is_hollow = is_hollow
 	_line_name = line_name
 
 
-## Pixels that the legend is high in so many pixels of width.
+## The height of the legend in pixels, for a width in pixels.
 func height(width: float) -> float:
 	return 0.0 if _names.is_empty() else _places(width)[-1].y + _ROW
 

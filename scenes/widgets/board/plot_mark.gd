@@ -1,6 +1,6 @@
 class_name PlotMark
 extends RefCounted
-## The marks of a plot: each number gives another shape and colour, so that neither stands alone.
+## The marks of a plot: each number gives another shape and color, so that neither is the only sign.
 
 ## Pixels from the middle of a mark to its corners.
 const RADIUS := 7.0
@@ -29,12 +29,12 @@ const _ROLES: Array[Palette.Role] = [
 ]
 
 
-## The colour of the mark with this number.
+## The color of the mark with this number.
 static func color(number: int) -> Color:
 	return Palette.color(_ROLES[number % _ROLES.size()])
 
 
-## Draws the mark with this number; hollow where it stands for what one compares with.
+## Draws the mark with this number; hollow for what the lab is compared with.
 static func draw(canvas: CanvasItem, number: int, middle: Vector2, is_hollow: bool) -> void:
 	var corners := _corners(number, middle)
 	canvas.draw_colored_polygon(corners, Palette.PAPER if is_hollow else color(number))

@@ -1,10 +1,10 @@
 class_name VerdictCard
 extends PanelContainer
-## What a lesson finds, in words, with a coloured ball that also carries a sign.
+## What a lesson finds, in words, with a colored ball that also carries a sign.
 
 const _MARGIN := 12
 
-## The corner of the board where the card stands, until [method keep_off] chooses one.
+## The corner of the board where the card is, until [method keep_off] chooses one.
 @export var home_corner := PRESET_BOTTOM_LEFT
 
 @onready var _corner := home_corner
@@ -13,7 +13,7 @@ const _MARGIN := 12
 @onready var _words: Label = %Words
 
 
-## Shows [param sign_text], one letter, on a ball in the colour of [param role], and beside it
+## Shows [param sign_text], one letter, on a ball in the color of [param role], and beside it
 ## [param words], translated, a line each.
 func show_verdict(sign_text: String, role: Palette.Role, words: PackedStringArray) -> void:
 	_sign.text = sign_text
@@ -22,7 +22,7 @@ func show_verdict(sign_text: String, role: Palette.Role, words: PackedStringArra
 	_settle()
 
 
-## Stands at the lower left, or, where that would cover one of [param pixels] of the board or what
+## Moves to the lower left, or, where that would cover one of [param pixels] of the board or what
 ## is up to [param around] pixels beside it, at the upper right.
 func keep_off(pixels: PackedVector2Array, around: float) -> void:
 	var board_size := get_parent_area_size()
@@ -34,7 +34,7 @@ func keep_off(pixels: PackedVector2Array, around: float) -> void:
 	_settle()
 
 
-## Stands in this corner of the board from now on.
+## Moves to this corner of the board.
 func stand_in(corner: LayoutPreset) -> void:
 	_corner = corner
 	_settle()

@@ -1,12 +1,10 @@
 class_name Formula
 extends VBoxContainer
-## Formulas with their numbers put in: every symbol in the colour of its arrow, numbers that can be
+## Formulas with their numbers put in: every symbol in the color of its arrow, numbers that can be
 ## typed over.
 ##
-## A line is a text with names in braces, such as `{a} · {b} = {dot}`. The lesson first says what
-## each
-## name is: [method define_symbol] or [method define_number]. Then it shows lines and keeps the
-## numbers current.
+## A line is a text with names in braces, such as `{a} · {b} = {dot}`. The lesson says what each
+## name is, with [method put_symbol], [method put_number] and the like, and then shows its lines.
 
 ## A number was typed over.
 signal number_entered(name: String, value: float)
@@ -28,25 +26,25 @@ var _shown: PackedStringArray = []
 @onready var _name_finder := RegEx.create_from_string(_NAME_PATTERN)
 
 
-## A symbol, such as `b̂`, in the colour of [param role].
+## A symbol, such as `b̂`, in the color of [param role].
 func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
 	define_symbol(name_in_line, symbol, role)
 
 
-## A number in the colour of [param role]. With a [param title], such as `x of a`, it can be typed
+## A number in the color of [param role]. With a [param title], such as `x of a`, it can be typed
 ## over.
 func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
 	define_number(name_in_line, role, title)
 	set_number(name_in_line, value)
 
 
-## A pair of numbers, such as (4, -3), in the colour of [param role].
+## A pair of numbers, such as (4, -3), in the color of [param role].
 func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
 	define_number(name_in_line, role)
 	set_vector(name_in_line, vector)
 
 
-## A text, translated, in the colour of [param role].
+## A text, translated, in the color of [param role].
 func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
 	define_number(name_in_line, role)
 	set_text(name_in_line, text)
@@ -100,7 +98,7 @@ func set_vector(name_in_line: String, vector: Vec2) -> void:
 	set_text(name_in_line, NumberText.pair(vector.x, vector.y))
 
 
-# Lines that are shown already have to be laid out anew when a colour in them changes.
+# Lines that are shown already have to be laid out anew when a color in them changes.
 func _set_role(name_in_line: String, role: Palette.Role) -> void:
 	if _roles.get(name_in_line, role) != role:
 		_shown.clear()

@@ -40,7 +40,7 @@ func _enter(typed: String) -> void:
 	number_entered.emit(_value)
 
 
-# Text that was refused once stays to be mended while the student is here, and goes with the focus.
+# Refused text stays while the field has the focus, so that the student can correct it.
 func _leave() -> void:
 	if text == _refused_text:
 		text = NumberText.typed(_value)

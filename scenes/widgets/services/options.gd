@@ -1,12 +1,12 @@
 class_name LessonOptions
 extends VBoxContainer
-## The switches of a lesson, and its ready-made situations.
+## The switches of a lesson, and its presets.
 
 ## A switch was thrown by the student.
 signal switched(key: String, on: bool)
 ## One of several ways was chosen by the student, by its place in the list.
 signal chosen(key: String, place: int)
-## The student picked the situation with this key.
+## The student picked the preset with this key.
 signal preset_picked(key: String)
 
 var _buttons: Dictionary[String, CheckButton] = {}
@@ -64,7 +64,7 @@ func add_presets(titles: Array[String]) -> void:
 		add_preset(title, tr(title))
 
 
-## Adds a button that sets up a ready-made situation; the text is translated.
+## Adds a button that sets up a preset; the text is translated.
 func add_preset(key: String, text: String) -> void:
 	var button := Button.new()
 	button.text = text

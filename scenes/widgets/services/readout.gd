@@ -2,7 +2,7 @@ class_name Readout
 extends GridContainer
 ## A table of results: what, value, error against the exact answer, run time of the call.
 
-# Which row, counted from 0 at the headings, a key has.
+# The row of each key; row 0 has the headings.
 var _rows: Dictionary[String, int] = {}
 
 
@@ -10,7 +10,7 @@ func _ready() -> void:
 	_add_row(PackedStringArray(["", tr("value"), tr("error"), tr("run time")]), &"LabelQuiet")
 
 
-## Names the columns otherwise, for a lesson that compares something of its own; translated.
+## Replaces the headings by translated texts, for a lesson that compares something else.
 func show_headings(texts: PackedStringArray) -> void:
 	for column in columns:
 		(get_child(column) as Label).text = texts[column]

@@ -1,6 +1,6 @@
 class_name Steps
 extends HBoxContainer
-## Builds a drawing up from nothing: one sentence a step, forward and back.
+## Builds up a drawing from nothing: one sentence for each step, forward and back.
 
 ## The student went to another step: the board and the formula have more or less to show.
 signal view_changed
@@ -34,7 +34,7 @@ func open_at(first: int) -> void:
 	_step = first
 
 
-## Tells one translated sentence a step; the step that is shown stays.
+## Shows these translated sentences, one for each step; the step that is shown stays.
 func tell(sentences: PackedStringArray) -> void:
 	show_sentences(sentences, _step)
 

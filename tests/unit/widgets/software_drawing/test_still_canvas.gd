@@ -6,6 +6,14 @@ var _panel: ScrollContainer
 var _label: Label
 
 
+func before_all() -> void:
+	SoftwareDrawing.is_on = true
+
+
+func after_all() -> void:
+	SoftwareDrawing.is_on = false
+
+
 func before_each() -> void:
 	_picture = StillPicture.new()
 	_panel = ScrollContainer.new()
@@ -16,6 +24,14 @@ func before_each() -> void:
 	_picture.add_child(_panel)
 	add_child_autofree(_picture)
 	await _settle()
+
+
+func test_on_a_graphics_card_there_is_no_picture() -> void:
+	SoftwareDrawing.is_on = false
+	var plain := StillPicture.new()
+	add_child_autofree(plain)
+	assert_null(_canvas(plain))
+	SoftwareDrawing.is_on = true
 
 
 func test_nothing_is_drawn_again_while_nothing_changes() -> void:

@@ -3,7 +3,7 @@ extends MarginContainer
 ## Shows its children as a picture, which is drawn again only when something in it changes.
 ##
 ## Without a graphics card a panel full of buttons and text takes longer to draw than everything
-## that flies over the board; and it stands still while it flies.
+## that flies over the board. Where a graphics card draws, this is a plain container.
 
 ## Its children do not fill it: what lies below is seen at round corners and in gaps.
 @export var is_see_through := false
@@ -17,10 +17,13 @@ var is_put_on_screen := true:
 		is_put_on_screen = value
 		RenderingServer.canvas_item_set_visible(get_canvas_item(), value and is_visible_in_tree())
 
-var _canvas := StillCanvas.new()
+var _canvas: StillCanvas
 
 
 func _ready() -> void:
+	if not SoftwareDrawing.is_on:
+		return
+	_canvas = StillCanvas.new()
 	_canvas.transparent_bg = is_see_through
 	add_child(_canvas, false, Node.INTERNAL_MODE_FRONT)
 	_canvas.prepare(self)
@@ -42,7 +45,8 @@ func _notification(what: int) -> void:
 
 
 func _draw() -> void:
-	_canvas.draw_on(self)
+	if _canvas:
+		_canvas.draw_on(self)
 
 
 func _put_on_screen() -> void:
