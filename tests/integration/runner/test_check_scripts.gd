@@ -1,7 +1,7 @@
 extends LabTest
 ## Godot's own check of scripts, as `./lab lint` runs it, in a small project with one script.
 
-const PROJECT := "res://build/check_scripts_test"
+const PROJECT := "res://build/script_check_test"
 const CHECK := "tools/checks/check_scripts.gd"
 
 
