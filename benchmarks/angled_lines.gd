@@ -27,20 +27,21 @@ func _init() -> void:
 
 func _print_row(count: int) -> void:
 	var cells: PackedStringArray = [str(count), str(_world(count).surroundings.segments.size())]
-	for method: int in SteppedWorld.Method.size():
-		var milliseconds := _median(count, method as SteppedWorld.Method)
+	for method: int in SteppingMethods.Method.size():
+		var milliseconds := _median(count, method as SteppingMethods.Method)
 		cells.append("%.3f = %.1f %%" % [milliseconds, milliseconds / FRAME / 10.0])
 	print("| %s |" % " | ".join(cells))
 
 
-func _median(count: int, method: SteppedWorld.Method) -> float:
+func _median(count: int, method: SteppingMethods.Method) -> float:
 	var world := _world(count)
-	world.mover = SteppedWorld.mover_of(method)
+	world.mover = SteppingMethods.mover_of(method)
 	var times: PackedFloat64Array = []
 	for frame: int in FRAMES:
 		var start := Time.get_ticks_usec()
-		world.step(FRAME)
+		var problem := world.step(FRAME)
 		times.append((Time.get_ticks_usec() - start) / 1000.0)
+		Refusal.push(problem)
 	times.sort()
 	return times[FRAMES >> 1]
 
@@ -66,7 +67,7 @@ func _soaked(count: int) -> Array:
 	var world := _world(count)
 	var energy := world.energy()
 	for frame: int in SOAK_FRAMES:
-		world.step(FRAME)
+		Refusal.push(world.step(FRAME))
 	var not_finite := 0
 	for ball: Ball in world.balls:
 		not_finite += int(not (ball.position.is_finite() and ball.velocity.is_finite()))
@@ -75,6 +76,6 @@ func _soaked(count: int) -> Array:
 
 
 func _world(count: int) -> SteppedWorld:
-	var world := SteppedWorld.new()
+	var world := SteppedWorld.new(WholeFrameMover.new())
 	AngledLinesScenes.set_up(SITUATIONS[count], world)
 	return world

@@ -26,14 +26,14 @@ func _run() -> void:
 	frame.lesson_info = LessonIndex.find("angled_lines")
 	root.add_child(frame)
 	var is_clean := true
-	for method: int in SteppedWorld.Method.size():
-		if not await _plays_cleanly(frame.lesson, method as SteppedWorld.Method):
+	for method: int in SteppingMethods.Method.size():
+		if not await _plays_cleanly(frame.lesson, method as SteppingMethods.Method):
 			is_clean = false
 	frame.free()
 	quit(0 if is_clean else 1)
 
 
-func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
+func _plays_cleanly(lesson: Lesson, method: SteppingMethods.Method) -> bool:
 	var model: AngledLinesModel = lesson.get("_model")
 	var transport := lesson.services[&"transport"] as Transport
 	(lesson.services[&"options"] as LessonOptions).preset_picked.emit(FIFTY_BALLS)
@@ -45,7 +45,7 @@ func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
 	var nodes := Performance.get_monitor(Performance.OBJECT_NODE_COUNT)
 	var begun := model.elapsed_seconds()
 	var clock := Time.get_ticks_msec()
-	var wanted := MINUTES * 60.0 / SteppedWorld.Method.size()
+	var wanted := MINUTES * 60.0 / SteppingMethods.Method.size()
 	await _play_until(model, begun + wanted)
 	var speed := wanted * 1000.0 / (Time.get_ticks_msec() - clock)
 	var more_objects := Performance.get_monitor(Performance.OBJECT_COUNT) - objects
@@ -56,7 +56,7 @@ func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
 	for ball: Ball in model.world.balls:
 		not_finite += int(not (ball.position.is_finite() and ball.velocity.is_finite()))
 	var texts := [
-		SteppedWorld.Method.keys()[method],
+		SteppingMethods.Method.keys()[method],
 		wanted,
 		speed,
 		model.world.bounces,
@@ -71,7 +71,7 @@ func _plays_cleanly(lesson: Lesson, method: SteppedWorld.Method) -> bool:
 			% texts
 		)
 	)
-	var may_lose := method == SteppedWorld.Method.POSITION_RESET
+	var may_lose := method == SteppingMethods.Method.POSITION_RESET
 	return (model.world.losses == 0 or may_lose) and not_finite == 0 and more_nodes <= 0
 
 

@@ -1,13 +1,13 @@
 class_name CollideFlight
 extends ShotFlight
-## A ball's flight by move_and_collide, as its documentation has it: with the default margin, and
-## the rest of the motion bounced and used until it is used up.
+## A ball's flight by move_and_collide, as in Godot's documentation: with the default margin, and
+## with the rest of the motion bounced and used until nothing is left.
 ##
-## The body moves by itself, so many steps fit into one physics frame.
+## The call moves the body at once, so that many steps fit into one physics frame.
 
 var _host: Node
 var _is_one_shape: bool
-var _space: PeerSpace
+var _space: EngineSpace
 var _body: CharacterBody2D
 var _velocity: Vector2
 
@@ -17,11 +17,11 @@ func _init(host: Node, is_one_shape: bool, of_shot: Shot, at_rate: int) -> void:
 	_host = host
 	_is_one_shape = is_one_shape
 	method = "move_and_collide, " + ("concave shape" if is_one_shape else "segments")
-	is_peer = true
+	is_baseline = true
 
 
 func _prepare() -> void:
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.add_walls(shot.segments(), _is_one_shape)
 	_body = CharacterBody2D.new()
 	_space.add_ball(_body, shot.ball)
@@ -35,7 +35,7 @@ func _fly(count: int) -> void:
 	for i in count:
 		var collision := body.move_and_collide(velocity * step_seconds)
 		var contacts := 0
-		while collision and contacts < PeerSpace.MOST_CONTACTS:
+		while collision and contacts < EngineSpace.MOST_CONTACTS:
 			var normal := collision.get_normal()
 			velocity = velocity.bounce(normal)
 			contacts += 1

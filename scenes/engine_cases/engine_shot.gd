@@ -1,13 +1,13 @@
 class_name EngineShot
 extends RefCounted
-## A ball's flight by the engine's own CharacterBody2D, frame by frame as its documentation has it:
-## gravity for a frame, move_and_collide, and the rest of the motion bounced and used. Every place
-## is kept, so that any frame can be asked for again.
+## A ball's flight by the engine's own CharacterBody2D, frame by frame as in Godot's documentation:
+## gravity for one frame, then move_and_collide, with the rest of the motion bounced and used. All
+## positions are kept, so that any frame can be asked for again.
 
 # A frame of the course, in seconds.
 const _FRAME := 1.0 / 60.0
 
-var _space: PeerSpace
+var _space: EngineSpace
 var _body := CharacterBody2D.new()
 var _velocity: Vector2
 var _gravity: Vector2
@@ -15,10 +15,10 @@ var _bounciness: float
 var _places: Array[Vec2] = []
 
 
-## The flight of [param ball] among the lines of [param surroundings], in a space of its own below
-## [param host], which has to be in the tree.
+## The flight of [param ball] among the lines of [param surroundings], in a physics space of its own
+## below [param host], which must be in the tree.
 func _init(host: Node, ball: Ball, surroundings: Surroundings) -> void:
-	_space = PeerSpace.new(host)
+	_space = EngineSpace.new(host)
 	_space.add_walls(surroundings.segments, true)
 	_space.add_ball(_body, ball)
 	_velocity = ball.velocity.to_vector2()
@@ -27,7 +27,8 @@ func _init(host: Node, ball: Ball, surroundings: Surroundings) -> void:
 	_places = [ball.position.copy()]
 
 
-## Where the body is after so many frames, 0 or more; between two of them on the straight way.
+## The position of the body after this many frames, 0 or more. Between two frames it is
+## interpolated.
 func place_at(frames: float) -> Vec2:
 	while _places.size() <= ceili(frames):
 		_step()
@@ -35,7 +36,7 @@ func place_at(frames: float) -> Vec2:
 	return _places[before].lerped(_places[ceili(frames)], frames - before)
 
 
-## Removes the body and its space; the flight cannot go on.
+## Frees the body and its space; the flight cannot go on.
 func finish() -> void:
 	_space.free()
 
@@ -44,7 +45,7 @@ func _step() -> void:
 	_velocity += _gravity * _FRAME
 	var collision := _body.move_and_collide(_velocity * _FRAME)
 	var contacts := 0
-	while collision and contacts < PeerSpace.MOST_CONTACTS:
+	while collision and contacts < EngineSpace.MOST_CONTACTS:
 		var normal := collision.get_normal()
 		_velocity = _bounced(_velocity, normal)
 		contacts += 1
@@ -52,6 +53,6 @@ func _step() -> void:
 	_places.append(Vec2.from_vector2(_body.position))
 
 
-# The engine has bounce for C = 1 and slide for C = 0: the share C lies between both.
+# The engine has `bounce` for C = 1 and `slide` for C = 0. Other values of C are interpolated.
 func _bounced(vector: Vector2, normal: Vector2) -> Vector2:
 	return vector.slide(normal).lerp(vector.bounce(normal), _bounciness)

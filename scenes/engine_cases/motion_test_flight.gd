@@ -1,11 +1,11 @@
 class_name MotionTestFlight
 extends ShotFlight
-## A ball's flight by PhysicsServer2D.body_test_motion: the engine says how far the motion is safe
-## and which way the wall faces; position and velocity are kept here.
+## A ball's flight by PhysicsServer2D.body_test_motion: the engine returns how far the ball can move
+## and the normal of the wall; position and velocity are kept here.
 
 var _host: Node
 var _is_one_shape: bool
-var _space: PeerSpace
+var _space: EngineSpace
 var _body: CharacterBody2D
 var _velocity: Vector2
 var _place: Vector2
@@ -16,11 +16,11 @@ func _init(host: Node, is_one_shape: bool, of_shot: Shot, at_rate: int) -> void:
 	_host = host
 	_is_one_shape = is_one_shape
 	method = "body_test_motion, " + ("concave shape" if is_one_shape else "segments")
-	is_peer = true
+	is_baseline = true
 
 
 func _prepare() -> void:
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.add_walls(shot.segments(), _is_one_shape)
 	_body = CharacterBody2D.new()
 	_space.add_ball(_body, shot.ball)
@@ -37,7 +37,7 @@ func _fly(count: int) -> void:
 	var start := Time.get_ticks_usec()
 	for i in count:
 		var motion := velocity * step_seconds
-		for contact in PeerSpace.MOST_CONTACTS:
+		for contact in EngineSpace.MOST_CONTACTS:
 			parameters.from = Transform2D(0.0, place)
 			parameters.motion = motion
 			var is_hit := PhysicsServer2D.body_test_motion(body, parameters, met)

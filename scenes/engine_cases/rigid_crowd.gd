@@ -4,7 +4,7 @@ extends CrowdFlight
 
 var _host: Node
 var _frames: PhysicsFrames
-var _space: PeerSpace
+var _space: EngineSpace
 var _bodies: Array[RID] = []
 
 
@@ -12,14 +12,14 @@ func _init(host: Node, of_crowd: Crowd, at_rate: int) -> void:
 	super(of_crowd, at_rate)
 	_host = host
 	method = "RigidBody2D"
-	is_peer = true
+	is_baseline = true
 	needs_frames = true
 
 
 func _prepare() -> void:
 	_frames = PhysicsFrames.new(_host.get_tree())
 	await _frames.begin(rate)
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.add_walls(crowd.walls(), false)
 	_bodies.clear()
 	for ball in crowd.balls():
@@ -36,7 +36,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the nodes are a step behind.
+# Reads from the physics server, because the nodes are one step behind.
 func _read() -> void:
 	var at := 0
 	for body in _bodies:

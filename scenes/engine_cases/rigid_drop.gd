@@ -3,7 +3,7 @@ extends DropCase
 ## The dropped ball by RigidBody2D, on a floor of one segment.
 
 var _host: Node
-var _space: PeerSpace
+var _space: EngineSpace
 var _frames: PhysicsFrames
 var _body: RID
 
@@ -12,14 +12,14 @@ func _init(host: Node, with_bounciness: float, at_rate: int) -> void:
 	super(with_bounciness, at_rate)
 	_host = host
 	method = "RigidBody2D"
-	is_peer = true
+	is_baseline = true
 	needs_frames = true
 
 
 func _prepare() -> void:
 	_frames = PhysicsFrames.new(_host.get_tree())
 	await _frames.begin(rate)
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.set_gravity(DroppedBall.GRAVITY)
 	_space.add_walls(DroppedBall.floors(), false)
 	var body := _space.add_rigid_ball(DroppedBall.ball(), RigidBody2D.CCD_MODE_DISABLED)
@@ -36,7 +36,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the node is a step behind.
+# Reads from the physics server, because the node is one step behind.
 func _read() -> void:
 	var state: Transform2D = PhysicsServer2D.body_get_state(
 		_body, PhysicsServer2D.BODY_STATE_TRANSFORM

@@ -2,7 +2,7 @@ class_name RigidFlight
 extends ShotFlight
 ## A ball's flight by RigidBody2D, which the engine moves in its own physics frames.
 
-## How the ways of continuous detection are named in tables.
+## The names of the methods in tables, by their continuous detection.
 const MODES: Dictionary[RigidBody2D.CCDMode, String] = {
 	RigidBody2D.CCD_MODE_DISABLED: "RigidBody2D",
 	RigidBody2D.CCD_MODE_CAST_RAY: "RigidBody2D, CCD ray",
@@ -11,7 +11,7 @@ const MODES: Dictionary[RigidBody2D.CCDMode, String] = {
 
 var _host: Node
 var _mode: RigidBody2D.CCDMode
-var _space: PeerSpace
+var _space: EngineSpace
 var _body: RID
 var _frames: PhysicsFrames
 
@@ -21,14 +21,14 @@ func _init(host: Node, mode: RigidBody2D.CCDMode, of_shot: Shot, at_rate: int) -
 	_host = host
 	_mode = mode
 	method = MODES[mode]
-	is_peer = true
+	is_baseline = true
 	needs_frames = true
 
 
 func _prepare() -> void:
 	_frames = PhysicsFrames.new(_host.get_tree())
 	await _frames.begin(rate)
-	_space = PeerSpace.new(_host)
+	_space = EngineSpace.new(_host)
 	_space.add_walls(shot.segments(), false)
 	_body = _space.add_rigid_ball(shot.ball, _mode).get_rid()
 
@@ -42,7 +42,7 @@ func _clear() -> void:
 	_frames.end()
 
 
-# What the server knows: the node is a step behind.
+# Reads from the physics server, because the node is one step behind.
 func _read() -> void:
 	var state: Transform2D = PhysicsServer2D.body_get_state(
 		_body, PhysicsServer2D.BODY_STATE_TRANSFORM

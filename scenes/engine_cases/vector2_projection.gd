@@ -8,7 +8,7 @@ var _engine_vectors: PackedVector2Array = []
 func _init(of_situation: String, is_quick: bool) -> void:
 	super(of_situation, is_quick)
 	method = "Vector2"
-	is_peer = true
+	is_baseline = true
 	for vector in _vectors:
 		_engine_vectors.append(vector.to_vector2())
 

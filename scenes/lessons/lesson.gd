@@ -76,17 +76,42 @@ func on_move(wire: Signal, change: Callable) -> void:
 	)
 
 
+## When the student picks something in the panel - a preset, a switch, a mistake, the numbers of a
+## question - [param change] gets what this changes in the state; the change is complete.
+func on_pick(change: Callable) -> void:
+	for service: Control in services.values():
+		if service.has_signal(&"picked"):
+			on_edit(Signal(service, &"picked"), change)
+
+
+## While the empty board is clicked or dragged on with [param button], [param change] gets the point
+## below the pointer; the change is complete when the button is released.
+func on_point(button: MouseButton, change: Callable) -> void:
+	board.pointed.connect(
+		func(at: Vec2, pressed: MouseButton) -> void:
+			if pressed == button:
+				pause()
+				_notice(change.call(at))
+				_show_again.call()
+	)
+	if not board.released.is_connected(finish):
+		board.released.connect(finish)
+
+
 ## A change is complete: shows everything and has the frame keep the state for undo.
 func finish() -> void:
 	show_all()
 	edited.emit()
 
 
-## Fits the board and shows the model.
+## Fits the board and shows the model, here and where a service shows what is picked.
 func show_all() -> void:
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
+	for service: Control in services.values():
+		if service.has_method(&"show_picked"):
+			service.call(&"show_picked", _kept_model.to_dictionary())
 	_show_again.call()
 
 

@@ -1,19 +1,19 @@
 class_name AcceleratedImpactFinder
 extends AcceleratedPointImpactFinder
-## The exact impact of a ball under constant acceleration with a segment that works from both sides
-## and ends in round caps; what an impact is stands in [AcceleratedPointImpactFinder].
+## The exact impact of a ball under constant acceleration with a segment that has two sides and
+## round caps at its ends. [AcceleratedPointImpactFinder] defines what an impact is.
 ##
-## The ball can touch only while its centre is in the strip closer to the line than its radius.
-## Seen from the side towards which the acceleration points away from the line, its height is a
-## parabola open upwards: it is in the strip for one stretch of time, or for two if it falls through
-## and comes back. Where it enters the strip between the ends, it touches the line. Where it enters
-## beside an end, it can touch only that end's cap before it leaves the strip again. So there is no
-## gap between line and cap, and no impact counts twice.
+## The ball can touch the segment only while its centre is in a strip: closer to the line than its
+## radius. Its distance from the line, counted towards the side to which the acceleration pulls, is
+## a parabola that opens upwards. So the ball is in the strip for one interval of time, or for two
+## if it crosses the strip and comes back. If it enters the strip between the ends, it touches the
+## line. If it enters beside an end, it can touch only the cap of that end before it leaves the
+## strip again. So there is no gap between line and cap, and no impact counts twice.
 ## [br][br]
-## Set the flight once, then call [method with_segment] for each segment; with a finite horizon, far
+## Set the flight once, then call [method with_segment] for each segment. With a finite horizon, far
 ## segments cost little.
 
-## What of a segment is touched.
+## Which part of the segment is touched.
 var feature := Impact.Feature.LINE
 
 # The segment, and the flight seen from its line: along it and above it, all times its length.
@@ -54,7 +54,7 @@ func with_segment(ax: float, ay: float, bx: float, by: float, horizon: float) ->
 		_side = -1.0
 		_height = -_height
 		_climb = -_climb
-	# Not -0.0, by which a division would give a time before the start.
+	# Never -0.0: dividing by it would give a time before the start.
 	_pull = absf(_pull)
 	_squared = _ex * _ex + _ey * _ey
 	_length = sqrt(_squared)
@@ -79,13 +79,14 @@ func with_segment(ax: float, ay: float, bx: float, by: float, horizon: float) ->
 	return _meets_in_strip(near, far, horizon)
 
 
-# Whether the ball, in the strip from the start, touches or overlaps and approaches.
+# Whether the ball, which is in the strip at the start, touches or overlaps the segment and
+# approaches it.
 func _meets_at_start() -> bool:
 	if _along < 0.0:
 		return _meets_point_at_start(_ax, _ay)
 	if _along > _squared:
 		return _meets_point_at_start(_bx, _by)
-	# A centre on the line itself is stopped from the side it comes from.
+	# A centre on the line itself hits the side from which it comes.
 	if _height * _climb < 0.0 or (_height == 0.0 and _climb != 0.0):
 		return _touches_line_at(0.0, -signf(_climb))
 	_overlaps = true
@@ -102,7 +103,7 @@ func _meets_point_at_start(cx: float, cy: float) -> bool:
 	return false
 
 
-# The one or two stretches of time in the strip.
+# The one or two intervals of time in the strip.
 func _meets_in_strip(near: float, far: float, horizon: float) -> bool:
 	var squared_climb := _climb * _climb
 	var near_root := squared_climb - 2.0 * _pull * near
@@ -111,7 +112,7 @@ func _meets_in_strip(near: float, far: float, horizon: float) -> bool:
 	if absf(near_root) <= noise:
 		near_root = _exact_parabola().line_discriminant(_ax, _ay, _bx, _by, _radius, _side)
 	if near_root <= 0.0:
-		# Beside the strip for ever, or gliding along in it for ever.
+		# Beside the strip for ever, or moving along inside it for ever.
 		if _pull > 0.0 or _climb != 0.0 or near > 0.0 or far < 0.0:
 			return false
 		return _meets_between(-1.0, INF, 0.0, horizon)
@@ -142,8 +143,8 @@ func _meets_in_strip(near: float, far: float, horizon: float) -> bool:
 	return _meets_between(comes_back, leaves, -1.0, horizon)
 
 
-# Whether the ball touches while it is in the strip, which it enters on the side `entered_side`; a
-# negative `from` means that it is in it from the start.
+# Whether the ball touches while it is in the strip, from `from` to `to`. It enters on the side
+# `entered_side`; a negative `from` means that it is in the strip at the start.
 func _meets_between(from: float, to: float, entered_side: float, horizon: float) -> bool:
 	if to < 0.0 or from > horizon or from == INF:
 		return false
@@ -165,15 +166,17 @@ func _meets_between(from: float, to: float, entered_side: float, horizon: float)
 	return _meets_cap(_bx, _by, entered, to, horizon)
 
 
-# `to` is where the ball leaves the strip, and not the horizon, so that the horizon changes no bit.
+# `to` is when the ball leaves the strip, not the horizon: so the horizon does not change a single
+# bit of the result.
 func _meets_cap(cx: float, cy: float, from: float, to: float, horizon: float) -> bool:
 	if from > horizon or from == INF:
 		return false
 	return _touches_point_at(_first_entry(cx, cy, from, to), cx, cy, horizon)
 
 
-# The first time from `from` on at which the ball is no farther beyond an end than its radius; INF
-# if that is not before `to`. `beyond`, its speed and its pull are how far beyond it is at time 0.
+# The first time after `from` at which the ball is at most its radius beyond an end; INF if that is
+# after `to`. At time 0 it is `beyond` past the end, with this speed and acceleration in that
+# direction; all are times the length of the segment.
 func _near_end(beyond: float, speed: float, pull: float, from: float, to: float) -> float:
 	var gap := beyond - _radius * _length
 	if gap + from * (speed + 0.5 * from * pull) <= 0.0:
@@ -190,7 +193,7 @@ func _near_end(beyond: float, speed: float, pull: float, from: float, to: float)
 	return INF if comes < from or comes > to else comes
 
 
-# The first return of a ball that overlaps at the start and moves away.
+# The first return of a ball that overlaps the segment at the start and moves away.
 func _meets_after_overlap(to: float, horizon: float) -> bool:
 	var at_start := _first_return(_ax, _ay, to, -_ex, -_ey)
 	var at_end := _first_return(_bx, _by, to, _ex, _ey)

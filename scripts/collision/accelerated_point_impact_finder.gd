@@ -1,31 +1,34 @@
 class_name AcceleratedPointImpactFinder
 extends RefCounted
 ## The exact impact of a ball under constant acceleration with a point: its centre enters the circle
-## of its radius about the point. Time is in seconds.
+## of its radius about the point. Times are in seconds.
 ##
-## The impact is the first time at which the ball touches while it approaches: the velocity has a
-## part against the contact normal. A ball that touches or overlaps already has it at time 0 if it
-## approaches; if it moves away or along, it has one only when it comes back after it was clear.
+## The impact is the first time at which the ball touches the point while it approaches, that is,
+## while its velocity has a part against the contact normal. A ball that touches or overlaps the
+## point already has its impact at time 0 if it approaches. If it moves away or along, it has an
+## impact only when it comes back after it was clear of the point.
 ## [br][br]
-## It is a downward root of the quartic |d + v t + g t² / 2|² - r², which is bent upwards, then
-## perhaps downwards, then upwards again; a quadratic gives the times between. Newton's method runs
-## up to the root from the left where it is bent upwards, from the right where downwards, and never
-## past it: it finds the first root, and there is none where the slope turns round on the way. What
-## rounding hides is settled by [GrazingEntry] and [ExactParabola].
+## The impact is a downward root of the quartic |d + v t + g t² / 2|² - r². The quartic is convex,
+## then possibly concave, then convex again; a quadratic gives the times in between. Newton's method
+## approaches the root from the left where the quartic is convex and from the right where it is
+## concave, and never passes it: so it finds the first root. There is none where the slope changes
+## its sign on the way. Where rounding hides the answer, [GrazingEntry] and [ExactParabola] decide.
 ## [br][br]
-## A search makes one of these, sets the flight once and calls it for each point: nothing is
-## allocated, and all numbers are plain. The results mean nothing after a call that returned false.
+## To search many points, make one finder, set the flight once and call it for each point: nothing
+## is allocated, and all numbers are plain floats. After a call that returned false, the results
+## have no meaning.
 
-## Rounding changes a sum by less than this, times the terms it is made of.
+## Rounding changes a sum by less than this times the sizes of its terms.
 const NOISE := 16.0 / 2.0 ** 52
 
-## Below this the square of an acceleration has lost digits, and pulls nothing anyway.
+## Below this the square of an acceleration has lost digits, and the acceleration has no effect.
 const _FAINT := 1e-280
 
-## A step of Newton's method below this part of the time is the last one.
+## Newton's method stops after a step that is smaller than this fraction of the time.
 const _LAST_STEP := 4.0 / 2.0 ** 52
 
-## More than the halvings from far away and those to a nearly double root.
+## The most steps of Newton's method: more than it needs to come from far away and to halve its way
+## to a nearly double root.
 const _MOST_STEPS := 90
 
 ## Seconds until the impact; 0 where the ball touches already.
@@ -44,7 +47,7 @@ var _gy := 0.0
 var _radius := 0.0
 var _squared_radius := 0.0
 
-# The point, from it to the centre at time 0, and which side of it counts.
+# The point, the vector from it to the centre at time 0, and the side of it that counts.
 var _cx := 0.0
 var _cy := 0.0
 var _dx := 0.0
@@ -53,8 +56,8 @@ var _outward_x := 0.0
 var _outward_y := 0.0
 
 
-## The flight from now on: a centre at (px, py), in pixels, with the velocity (vx, vy), px/s, and
-## the acceleration (gx, gy), px/s², may be 0. [param radius] is 0 or more.
+## Sets the flight: the ball's centre is at (px, py) in pixels, its velocity is (vx, vy) in px/s,
+## and its acceleration is (gx, gy) in px/s², which may be 0. [param radius] is 0 or more.
 func set_flight(
 	px: float, py: float, vx: float, vy: float, gx: float, gy: float, radius: float
 ) -> void:
@@ -69,8 +72,9 @@ func set_flight(
 
 
 ## Whether the ball meets the point (cx, cy) within [param horizon] seconds (INF allowed): its
-## centre comes as close as the radius. With position, velocity and acceleration of one ball less
-## those of another, and the sum of both radii, it is the impact of two balls.
+## centre comes within the radius of the point. For the impact of two balls, set the flight to the
+## position, velocity and acceleration of one less those of the other, with the sum of both radii,
+## and give the point (0, 0).
 func with_point(cx: float, cy: float, horizon: float) -> bool:
 	var dx := _px - cx
 	var dy := _py - cy
@@ -78,7 +82,8 @@ func with_point(cx: float, cy: float, horizon: float) -> bool:
 		if dx * _vx + dy * _vy < 0.0:
 			return _touches_point_at(0.0, cx, cy, horizon)
 		return _touches_point_at(_first_return(cx, cy, INF, 0.0, 0.0), cx, cy, horizon)
-	# Across the acceleration the motion is even: it can touch only while it is in this strip.
+	# Across the acceleration the motion is uniform: the ball can touch only while it is in this
+	# strip.
 	var from := 0.0
 	var to := INF
 	var squared_pull := _gx * _gx + _gy * _gy
@@ -97,7 +102,7 @@ func with_point(cx: float, cy: float, horizon: float) -> bool:
 	return false
 
 
-# Whether the centre is inside the circle about (cx, cy), or on it, at the time 0.
+# Whether the centre is inside the circle about (cx, cy), or on it, at time 0.
 func _starts_inside(cx: float, cy: float) -> bool:
 	var dx := _px - cx
 	var dy := _py - cy
@@ -114,7 +119,7 @@ func _first_entry(cx: float, cy: float, from: float, to: float) -> float:
 	var x := _dx + from * (_vx + 0.5 * from * _gx)
 	var y := _dy + from * (_vy + 0.5 * from * _gy)
 	var gap := x * x + y * y - _squared_radius
-	# Outside, but for rounding: it is just touching.
+	# Inside only by rounding: it just touches.
 	if gap <= 0.0:
 		var growth := x * (_vx + from * _gx) + y * (_vy + from * _gy)
 		if growth < 0.0:
@@ -122,8 +127,9 @@ func _first_entry(cx: float, cy: float, from: float, to: float) -> float:
 	return _first_downward(from, to)
 
 
-# The same for a ball that is inside at time 0 and moves away: when it is back after it was outside.
-# Only entries on the side (outward_x, outward_y) of the point count; (0, 0) counts all.
+# The same for a ball that is inside at time 0 and moves away: the first time it enters again after
+# it was outside. Only entries on the side (outward_x, outward_y) of the point count; for (0, 0) all
+# count.
 func _first_return(cx: float, cy: float, to: float, outward_x: float, outward_y: float) -> float:
 	_set_point(cx, cy, outward_x, outward_y)
 	return _first_downward(0.0, to)
@@ -165,7 +171,7 @@ func _first_downward(from: float, to: float) -> float:
 	return _from_left(upwards, to)
 
 
-# The downward root in a part that is bent upwards; none if it starts below 0.
+# The downward root in a part that is convex; none if it starts below 0.
 func _from_left(from: float, to: float) -> float:
 	var at := from
 	for count in _MOST_STEPS:
@@ -189,7 +195,7 @@ func _from_left(from: float, to: float) -> float:
 	return _counted(at)
 
 
-# The downward root in a part that is bent downwards; none if it ends above 0.
+# The downward root in a part that is concave; none if it ends above 0.
 func _from_right(from: float, to: float) -> float:
 	var at := to
 	for count in _MOST_STEPS:
@@ -209,19 +215,20 @@ func _from_right(from: float, to: float) -> float:
 			return INF if growth >= 0.0 else _counted(at - step)
 		at -= step
 		if at < from:
-			# Inside at the start of this part: none. Outside, but for rounding: there it is.
+			# No root if the ball is inside at the start of this part. If it is inside only by
+			# rounding, the root is there.
 			return _from_left(from, to)
 	return _counted(at)
 
 
-# The entry at that time, or INF where it is on the side that does not count.
+# The time of an entry, or INF if the entry is on a side that does not count.
 func _counted(at: float) -> float:
 	var x := _dx + at * (_vx + 0.5 * at * _gx)
 	var y := _dy + at * (_vy + 0.5 * at * _gy)
 	return maxf(at, 0.0) if x * _outward_x + y * _outward_y >= 0.0 else INF
 
 
-# What rounding can change of the quartic.
+# How much rounding can change the value of the quartic.
 func _noise_at(at: float, x: float, y: float) -> float:
 	var terms_x := absf(_dx) + at * (absf(_vx) + at * absf(_gx))
 	var terms_y := absf(_dy) + at * (absf(_vy) + at * absf(_gy))

@@ -1,11 +1,12 @@
 class_name BallBounce
 extends RefCounted
-## Two balls under Newton's laws: along the contact normal each leaves the common speed u of their
-## centre of mass as it came, less the share that is lost: v' = u - C (v - u). Across the normal
-## nothing changes. A wall is the limit of a very heavy ball with u = 0.
+## The bounce of two balls under Newton's laws. Along the contact normal, seen from their centre of
+## mass with the speed u, each ball leaves as fast as it came, times the bounciness C:
+## v' = u - C (v - u). Across the normal nothing changes. A wall is the limit of a very heavy ball
+## with u = 0.
 
 
-## How fast the centre of mass of both moves along [param normal], in pixels per second.
+## The speed of the centre of mass of both balls along [param normal], in pixels per second.
 static func center_speed(one: Ball, other: Ball, normal: Vec2) -> float:
 	var momentum := one.mass * one.velocity.dot(normal) + other.mass * other.velocity.dot(normal)
 	return momentum / (one.mass + other.mass)

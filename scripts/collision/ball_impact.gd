@@ -2,19 +2,19 @@ class_name BallImpact
 extends RefCounted
 ## The exact impact of two balls in straight flight, and both velocities after it.
 ##
-## Seen from the second ball, the first one flies straight at a point with the sum of both radii.
-## [StraightImpactFinder] finds the time in plain doubles; a glancing blow turns its last bits into a
-## normal that is far less exact. So the time is improved in [DoubleDouble] by Newton's method for
-## |d + v t|² = R², and normal and velocities are worked out with it: they are right to the last
-## bits for the very numbers of both balls. Slow: about 0.1 ms.
+## Seen from the second ball, the first one flies straight towards a point, with the sum of both
+## radii as its radius. [StraightImpactFinder] finds the time in plain doubles. In a grazing impact
+## the error of its last bits makes the normal far less exact. So Newton's method for |d + v t|² =
+## R² improves the time in [DoubleDouble], and the normal and the velocities are computed from it:
+## all are right to the last bits. Slow: about 0.1 ms.
 
 # Each step of Newton's method doubles the number of right digits: from 16, or 8 in the worst
-# glancing blow, to more than the 32 there are.
+# grazing impact, to more than the 32 digits of a DoubleDouble.
 const _STEPS := 3
 
-## The balls meet.
+## Whether the balls meet.
 var hit := false
-## Seconds until then; 0 where they touch or overlap already and approach.
+## Seconds until the impact; 0 where they touch or overlap already and approach.
 var time := 0.0
 ## From the second ball to the first; length 1.
 var normal: Vec2
@@ -28,9 +28,9 @@ var _difference: Array[DoubleDouble]
 var _relative: Array[DoubleDouble]
 
 
-## The first impact of the two balls, which stay as they are; [param bounciness] C is 0..1. Without
-## one, [member hit] is false and nothing else means anything. Two centres at the same place have no
-## normal, and no impact.
+## The first impact of two balls, which are not changed; [param bounciness] C is 0..1. Without an
+## impact [member hit] is false, and the other members have no meaning. Two centres at the same
+## place have no normal, and so no impact.
 static func between(one: Ball, other: Ball, bounciness: float = 1.0) -> BallImpact:
 	var impact := BallImpact.new()
 	var finder := StraightImpactFinder.new()
@@ -88,7 +88,7 @@ static func _changed(
 	return Vec2.new(x.to_float(), y.to_float())
 
 
-# The difference of both centres at the impact.
+# The vector from the second centre to the first at the impact.
 func _contact() -> Array[DoubleDouble]:
 	return [
 		_difference[0].plus(_relative[0].times(_time)),

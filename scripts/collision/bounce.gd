@@ -5,13 +5,13 @@ extends RefCounted
 
 
 ## Whether the velocity has a part against the normal. A ball that already moves away must not be
-## reflected once more: it would stick to the line.
+## reflected again: it would stick to the line.
 static func is_approaching(velocity: Vec2, normal: Vec2) -> bool:
 	return velocity.dot(normal) < 0.0
 
 
-## Reflects the velocity off a line with this unit normal if it approaches, else leaves it alone.
-## [param bounciness] C is 0..1: 0 slides on, 1 keeps the speed.
+## Reflects the velocity off a line with this unit normal if the ball approaches; otherwise it does
+## not change. [param bounciness] C is 0..1: with 0 the ball slides on, with 1 it keeps its speed.
 static func apply(velocity: Vec2, normal: Vec2, bounciness: float = 1.0) -> void:
 	if is_approaching(velocity, normal):
 		velocity.reflect(normal, bounciness)

@@ -1,19 +1,21 @@
 class_name CapSlide
 extends RefCounted
-## A ball that slides without friction over the round end of a line: its centre moves on a circle
-## about the end, held there only by gravity, until it leaves the circle, or until it is back where
-## it started. Time is in seconds.
+## A ball that slides without friction over the round end of a line. Its centre moves on a circle
+## about the end, and only gravity holds it there, until it leaves the circle or until it is back
+## where it started. Times are in seconds.
 ##
-## The ball is a point mass at its centre. With the angle from the top (against gravity) a, the
-## radius R and k = g / R, energy gives the angular speed: w² = w0² + 2 k (cos a0 - cos a). The cap
-## can only push: the ball leaves where w² = k cos a, so where cos a = (w0² / k + 2 cos a0) / 3.
+## The ball is a point mass at its centre. Let a be the angle from the top (against gravity), R the
+## radius of the circle, and k = g / R. Energy gives the angular speed:
+## w² = w0² + 2 k (cos a0 - cos a). The cap can push but not pull, so the ball leaves it where
+## w² = k cos a, that is where cos a = (w0² / k + 2 cos a0) / 3.
 ## [br][br]
 ## The time between two angles is an elliptic integral. With u = sin²(a / 2), and s = u + c the
 ## squared angular speed over 4 k, it is the integral of 1 / sqrt(u (1 - u) (u + c)) over u, divided
-## by 2 sqrt(k): finite also where the ball starts from rest, and given by [CarlsonIntegral].
+## by 2 sqrt(k). It is finite also where the ball starts from rest; [CarlsonIntegral] computes it.
 
-## How the sliding ends: the ball flies off; it comes to a stop uphill and is back at the start with
-## the reversed velocity; it stays on the cap for ever, at rest at the top or on its way to it.
+## How the sliding ends. LEAVES: the ball flies off. RETURNS: it stops on its way up and is back at
+## the start with the reversed velocity. NEVER: it stays on the cap for ever, at rest at the top or
+## on its way to it.
 enum Ending { LEAVES, RETURNS, NEVER }
 
 const _EPSILON := 1.0 / 2.0 ** 52
@@ -37,28 +39,28 @@ var velocity_y := 0.0
 var _cx := 0.0
 var _cy := 0.0
 var _radius := 0.0
-# The unit vector against gravity, and the direction in which the angle grows: the ball starts so.
+# The unit vector against gravity, and the direction in which the angle grows: that of the start.
 var _up_x := 0.0
 var _up_y := 0.0
 var _turn := 1.0
-# g / R, and the start: angle from the top and angular speed, which is not negative.
+# g / R, and the start: the angle from the top, and the angular speed, which is 0 or more.
 var _k := 0.0
 var _start := 0.0
 var _speed := 0.0
-# Where the ball is slowest, from which the energy is counted without loss of digits: the start, the
-# top, or where it stops; and its squared angular speed there.
+# The angle at which the ball is slowest (the start, the top, or where it stops), and its squared
+# angular speed there. Counted from there, the energy loses no digits.
 var _slowest := 0.0
 var _least_squared_speed := 0.0
-# The angle where the ball leaves, or stops, or which it never reaches; and when it is there.
+# The angle at which the ball leaves or stops, or which it never reaches; and the time it takes.
 var _last := 0.0
 var _last_time := INF
-# sin²(_last / 2) - sin²(_start / 2), which the two angles give with fewer digits.
+# sin²(_last / 2) - sin²(_start / 2). Computing it from the two angles would lose digits.
 var _last_difference := 0.0
 
 
-## Starts anew: the centre is at (px, py), on a circle about the end (cx, cy), and has the velocity
-## (vx, vy), of which only the part along the circle counts, under the gravity (gx, gy). Returns "",
-## or a sentence where the centre is on the end itself; then nothing has changed.
+## Starts again: the centre is at (px, py), on a circle about the end (cx, cy), and has the velocity
+## (vx, vy) under the gravity (gx, gy). Only the part of the velocity along the circle counts.
+## Returns "", or a sentence if the centre is on the end itself; then nothing has changed.
 func start(
 	cx: float, cy: float, px: float, py: float, vx: float, vy: float, gx: float, gy: float
 ) -> String:
@@ -83,18 +85,19 @@ func start(
 	return ""
 
 
-## Puts the centre and its velocity to where they are [param seconds] after the start: from 0 to
-## [member end_time]; what is outside is taken as the nearest of these.
+## Sets position and velocity to those [param seconds] after the start. Values outside 0 to
+## [member end_time] are clamped.
 func move_to(seconds: float) -> void:
 	var at := clampf(seconds, 0.0, end_time)
-	# On the way back it is where it was as long before the stop.
+	# On the way back the ball is where it was the same time before the stop.
 	var is_back := ending == Ending.RETURNS and at > _last_time
 	var angle := _angle_at(end_time - at if is_back else at)
 	var angular_speed := _speed_at(angle) * (-1.0 if is_back else 1.0)
 	_place(angle * _turn, angular_speed * _turn)
 
 
-## When the centre is first in the direction (x, y) from the end; INF if the sliding ends before.
+## The first time at which the centre is in the direction (x, y) from the end; INF if the sliding
+## ends before.
 func time_to_direction(x: float, y: float) -> float:
 	var angle := Vec2.new(_up_x, _up_y).angle_to(Vec2.new(x, y)) * _turn
 	if angle < _start or angle > _last or end_time == 0.0:
@@ -110,7 +113,7 @@ func _find_end() -> void:
 	var squared_speed := _speed * _speed
 	_slowest = _start
 	_least_squared_speed = squared_speed
-	# How hard the cap pushes: the force for a unit of mass and of radius.
+	# How hard the cap pushes: the force per unit of mass and of radius.
 	var pressure := _k * cos(_start) - squared_speed
 	var is_climbing := _start < 0.0 and _speed > 0.0
 	if pressure < 0.0 or (pressure == 0.0 and not is_climbing and _k > 0.0):
@@ -139,7 +142,8 @@ func _stay_for_ever() -> void:
 	_last_time = INF
 
 
-# `squared_sine`: that of half the angle where it stops; 0 is the top, which it never reaches.
+# `squared_sine` is sin² of half the angle at which the ball stops; 0 is the top, which it never
+# reaches.
 func _stop_uphill(squared_sine: float) -> void:
 	_last = -2.0 * asin(sqrt(squared_sine))
 	_slowest = _last
@@ -153,21 +157,21 @@ func _stop_uphill(squared_sine: float) -> void:
 	end_time = 2.0 * _last_time
 
 
-# Seconds from the start to an angle, on the way to the last one.
+# Seconds from the start to an angle on the way to the last angle.
 func _time_to(angle: float) -> float:
 	if _start >= 0.0 or angle <= 0.0:
 		return _time_between(_start, angle)
 	return _time_between(_start, 0.0) + _time_between(0.0, angle)
 
 
-# Both angles on the same side of the top.
+# The same for two angles on the same side of the top.
 func _time_between(from: float, to: float) -> float:
 	var difference := sin(0.5 * (to - from)) * sin(0.5 * (to + from))
 	if from == _start and to == _last:
 		difference = _last_difference
 	if difference == 0.0:
 		return 0.0
-	# The roots of u, 1 - u and u + c at both ends, u = sin²(a / 2): see the top of the file.
+	# The square roots of u, 1 - u and u + c at both angles, with u = sin²(a / 2) as at the top.
 	var u_from := absf(sin(0.5 * from))
 	var u_to := absf(sin(0.5 * to))
 	var rest_from := cos(0.5 * from)
@@ -188,7 +192,7 @@ func _speed_at(angle: float) -> float:
 	return sqrt(_least_squared_speed + 4.0 * _k * maxf(fallen, 0.0))
 
 
-# The angle at a time up to the last one, by Newton's method between limits.
+# The angle at a time up to `_last_time`, by Newton's method between two bounds.
 func _angle_at(seconds: float) -> float:
 	if seconds <= 0.0 or (ending == Ending.NEVER and _speed == 0.0):
 		return _start

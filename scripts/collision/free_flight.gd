@@ -1,9 +1,9 @@
 class_name FreeFlight
 extends RefCounted
-## How a ball moves between two bounces, under gravity that stays as it is.
+## How a ball moves between two bounces under constant gravity.
 
 
-## The way in pixels within [param seconds]: v t + g t^2 / 2.
+## The motion in pixels within [param seconds]: v t + g t^2 / 2.
 static func motion(velocity: Vec2, gravity: Vec2, seconds: float) -> Vec2:
 	return velocity.scaled(seconds).plus(gravity.scaled(seconds * seconds / 2.0))
 
@@ -13,9 +13,9 @@ static func velocity_after(velocity: Vec2, gravity: Vec2, seconds: float) -> Vec
 	return velocity.plus(gravity.scaled(seconds))
 
 
-## The velocity once the ball has got as far as [param way], about [param seconds] later. Its part
-## along gravity is the one that belongs to the height: v^2 = v0^2 + 2 g s. So the energy stays,
-## although within a frame the lecture takes the curved path as straight.
+## The velocity after the ball has moved by [param way], about [param seconds] later. Its part along
+## gravity follows from the height: v^2 = v0^2 + 2 g s. So energy is conserved, although within a
+## frame the lecture takes the curved path as straight.
 static func velocity_at(velocity: Vec2, gravity: Vec2, way: Vec2, seconds: float) -> Vec2:
 	var strength := gravity.length()
 	var down := gravity.normalized()
@@ -25,14 +25,16 @@ static func velocity_at(velocity: Vec2, gravity: Vec2, way: Vec2, seconds: float
 	return velocity.plus(down.scaled(after - before))
 
 
-## The first time at which height + velocity t + pull t^2 / 2 is at most 0 and falling, in seconds:
-## when something in free flight touches a plane on its way down. INF for never. At height 0 or
-## below it is 0 if the height falls, or is about to; else it is when it comes back.
+## The first time in seconds at which height + velocity t + pull t^2 / 2 is at most 0 and falling:
+## when something in free flight touches a plane on its way down. INF if that never happens. At
+## height 0 or below, the time is 0 if the height falls or is about to fall; otherwise it is the
+## time of the return.
 static func time_to_fall(height: float, velocity: float, pull: float) -> float:
 	if height <= 0.0 and (velocity < 0.0 or (velocity == 0.0 and pull < 0.0)):
 		return 0.0
 	var squared := velocity * velocity - 2.0 * pull * height
-	# Upwards first, or from below: back only if it is pulled down. Each form adds what has one sign.
+	# Upwards first, or from below: it comes back only if it is pulled down. Both forms add numbers
+	# of the same sign, so that no digits cancel.
 	if velocity >= 0.0:
 		return (velocity + sqrt(maxf(squared, 0.0))) / -pull if pull < 0.0 else INF
 	return 2.0 * height / (sqrt(squared) - velocity) if squared > 0.0 else INF

@@ -1,20 +1,21 @@
 class_name GrazingEntry
 extends RefCounted
-## When a ball enters a circle that its path nearly grazes, so nearly that rounding hides whether it
-## gets in at all, or out before it gets in again: from the turning point of the quartic
-## |d + v t + g t² / 2|² - r², written out anew about that point with [ExactParabola].
+## The time at which a ball enters a circle that its path nearly grazes: so nearly that rounding
+## hides whether the path enters the circle at all, or leaves it before it enters again. The quartic
+## |d + v t + g t² / 2|² - r² is expanded about its turning point, with the values that
+## [ExactParabola] gives there.
 ##
-## Slow, and needed only in one flight of many millions.
+## Slow, and needed only in one flight out of many millions.
 
-## [ExactParabola] tells a height from 0 only when it is above this, times the terms it is made of;
-## a path that grazes to so many digits stays on its side.
+## [ExactParabola] cannot tell a height from 0 below this times the sizes of its terms. A path that
+## grazes more closely than that counts as staying on its side.
 const _EXACT_NOISE := 1.0 / 2.0 ** 98
 
 
-## The time of the entry next to the turning point of the quartic that lies close to [param near]
-## (seconds): before a lowest point, after a highest one. INF if the ball stays on the same side.
-## The flight starts at (px, py) with the velocity (vx, vy) and the acceleration (gx, gy), in pixels
-## and seconds; the circle has the centre (cx, cy).
+## The time in seconds of the entry next to the turning point of the quartic that is close to
+## [param near]: before a minimum, after a maximum. INF if the ball stays on the same side. The
+## flight starts at (px, py) with the velocity (vx, vy) and the acceleration (gx, gy), in pixels and
+## seconds; the circle has the centre (cx, cy).
 static func time(
 	px: float,
 	py: float,
@@ -54,7 +55,7 @@ static func time(
 	var third := ux * gx + uy * gy
 	var fourth := 0.25 * (gx * gx + gy * gy)
 	var offset := to_vertex - signf(bend) * sqrt(squared)
-	# The terms of third and fourth order are small there, but not always below rounding.
+	# The terms of third and fourth order are small here, but not always smaller than rounding.
 	for _count in 2:
 		var value := offset * (2.0 * growth + offset * (bend + offset * (third + offset * fourth)))
 		var slope := offset * (2.0 * bend + offset * (3.0 * third + offset * 4.0 * fourth))

@@ -1,7 +1,7 @@
 class_name LineDistance
 extends RefCounted
-## How far a ball is from an infinite line, part 11 of the lecture: the difference vector from any
-## point of the line, projected on the unit normal, minus the radius.
+## The distance of a ball from an infinite line, part 11 of the lecture: the difference vector from
+## any point of the line, projected on the unit normal, minus the radius.
 
 
 ## The vector from the start of the line to [param point]. Any other point of the line would do.
@@ -15,7 +15,7 @@ static func signed_distance(point: Vec2, line: LineSegment) -> float:
 	return difference(point, line).dot(line.normal())
 
 
-## Pixels between the ball's edge and the line on its good side; negative where they overlap.
+## Pixels between the ball's edge and the line on the line's good side; negative if they overlap.
 static func gap(ball: Ball, line: LineSegment) -> float:
 	return signed_distance(ball.position, line) - ball.radius
 

@@ -1,13 +1,13 @@
 class_name SegmentOverlap
 extends RefCounted
-## Part 12 of the lecture for a line with ends: looks at one moment only, and so sees neither where
-## the ball came from nor what it flew over. A ball fast enough passes through.
+## Part 12 of the lecture for a line with ends: the ball is tested at one moment, the end of the
+## frame. The test does not know where the ball came from, so a fast ball passes through the line.
 
 
-## Whether a ball at [param position] overlaps the segment, from whatever side. Then the normal
-## points from the nearest point of the segment to the ball, and [member Impact.position] is where
-## the ball just touches; the time is 1. A centre on the line itself counts as being on the side of
-## its normal.
+## Whether a ball at [param position] overlaps the segment, on either side. If it does, the normal
+## points from the nearest point of the segment to the ball, [member Impact.position] is where the
+## ball just touches, and the fraction is 1. A centre on the line itself counts as being on the side
+## to which the line's normal points.
 static func with_segment(position: Vec2, radius: float, segment: LineSegment) -> Impact:
 	var nearest := segment.closest_point(position)
 	var normal := position.minus(nearest)

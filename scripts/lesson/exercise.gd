@@ -37,6 +37,12 @@ var right_answer: PackedFloat64Array = []
 var mistakes: Array[Mistake] = []
 
 
+## The values of the lesson's state that show this question on its board, by their names there; see
+## [method LessonModel.take]. Empty where the board cannot show it.
+func board_state() -> Dictionary:
+	return {}
+
+
 ## Adds a known mistake with the numbers that it leads to.
 func add_mistake(answer: PackedFloat64Array, sentence: String) -> void:
 	var mistake := Mistake.new()

@@ -1,22 +1,23 @@
 class_name CarlsonIntegral
 extends RefCounted
-## The elliptic integral of the first kind in its symmetric form. It gives times of motions whose
-## speed follows from the energy, such as sliding on a circle.
+## The elliptic integral of the first kind in its symmetric form. It gives the times of motions
+## whose speed follows from their energy, such as sliding on a circle.
 ##
 ## Sources: Carlson, Numerical Computation of Real or Complex Elliptic Integrals, 1995; NIST Digital
 ## Library of Mathematical Functions, 19.16.1, 19.36.1.
 
-## The three numbers are close enough for the series when they differ by less than this part of
-## their mean: what the series leaves out is then below 1e-16.
+## The three numbers are close enough for the series when they differ from their mean by less than
+## this fraction of it: the terms that the series omits are then below 1e-16.
 const _CLOSE := 0.004
 
-## Each doubling makes the differences four times smaller: from 1e300 to 1e-300 it takes 1000.
+## The most doublings. Each makes the differences four times smaller, so 1000 lead from 1e300 to
+## 1e-300.
 const _MOST_DOUBLINGS := 1100
 
 
-## Half the integral of 1 / sqrt((s + x) (s + y) (s + z)) over s from 0 to infinity. None of the
-## numbers may be negative, and at most one of them 0: otherwise the result is not a number. The
-## relative error is a few units in the last place.
+## Half the integral of 1 / sqrt((s + x) (s + y) (s + z)) over s from 0 to infinity. No number may
+## be negative, and at most one may be 0: otherwise the result is not a number. The relative error
+## is a few units in the last place.
 static func first_kind(x: float, y: float, z: float) -> float:
 	for _count in _MOST_DOUBLINGS:
 		var mean := (x + y + z) / 3.0
@@ -32,7 +33,8 @@ static func first_kind(x: float, y: float, z: float) -> float:
 	return INF
 
 
-# Taylor series about three equal numbers, in the parts by which two of them fall short of the mean.
+# The Taylor series about three equal numbers. x and y are the fractions of the mean by which two of
+# them are too small.
 static func _series(x: float, y: float) -> float:
 	var z := -x - y
 	var two := x * y - z * z

@@ -1,10 +1,10 @@
 class_name DoubleDouble
 extends RefCounted
-## A number with about 106 bits, twice those of a double: the unevaluated sum of two doubles.
+## A number with about 106 bits, twice as many as a double: the unevaluated sum of two doubles.
 ##
-## For readouts and tests that state the error of a double; slow, so nothing moves with it. It
-## never changes: every operation returns a new number, with a relative error below 2^-100. The
-## numbers and what is computed on the way must have magnitudes between 1e-290 and 1e290, or be 0.
+## It is for readouts and tests that state the error of a double, and too slow for motion. A number
+## never changes: every operation returns a new one, with a relative error below 2^-100. All
+## numbers, intermediate ones included, must be 0 or have a magnitude between 1e-290 and 1e290.
 ## [br][br]
 ## Sources. Exact sum: Knuth, The Art of Computer Programming 2, section 4.2.2. Exact product, with
 ## Veltkamp's splitting: Dekker, A Floating-Point Technique for Extending the Available Precision,
@@ -18,12 +18,12 @@ const _SPLITTER := 2.0 ** 27 + 1.0
 ## The double nearest to the number.
 var high: float
 
-## What [member high] leaves over: at most half of its last place.
+## The rest of the number, at most half a unit in the last place of [member high].
 var low: float
 
 
-## Takes both parts as they are: they must fit together, as those that [method from_float], [method
-## sum_of] and [method product_of] make do.
+## Takes both parts unchecked. Use [method from_float], [method sum_of] or [method product_of],
+## whose parts fit together.
 func _init(high_part: float, low_part: float) -> void:
 	high = high_part
 	low = low_part
@@ -115,7 +115,8 @@ func to_float() -> float:
 	return high
 
 
-## How much [param value] is too large (negative: too small), this number being the exact one.
+## The error of [param value] if this number is exact: above 0 if it is too large, below 0 if it is
+## too small.
 func error_of(value: float) -> float:
 	return from_float(value).minus(self).to_float()
 

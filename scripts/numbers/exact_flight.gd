@@ -1,18 +1,18 @@
 class_name ExactFlight
 extends RefCounted
-## A piece of an [ExactPath]: from the start or an impact straight on to the next impact.
+## A straight piece of an [ExactPath]: from the start, or from an impact, to the next impact.
 
-## When it begins, in seconds since the start of the path.
+## The time at which it begins, in seconds since the start of the path.
 var start: DoubleDouble
-## The ball's centre then, in pixels.
+## The ball's centre at that time, in pixels.
 var position: ExactVector
-## Pixels per second, all the way.
+## The velocity during the whole flight, in pixels per second.
 var velocity: ExactVector
-## What the ball has just bounced off: the place of the segment in the list; -1 in the first flight.
+## The index of the segment that the ball has just bounced off; -1 in the first flight.
 var segment_index: int
 
 
-## A flight that begins with all this and has no end of its own.
+## A flight that begins with these values. Its end is not stored.
 func _init(
 	at_time: DoubleDouble, at_position: ExactVector, with_velocity: ExactVector, off_segment: int
 ) -> void:
@@ -22,8 +22,8 @@ func _init(
 	segment_index = off_segment
 
 
-## The centre at [param time], in seconds since the start of the path, with all its digits; before
-## and after the flight it is the line made longer.
+## The centre at [param time], in seconds since the start of the path, with all its digits. Before
+## and after the flight it is on the extension of the line.
 func position_at(time: float) -> ExactVector:
 	return after(DoubleDouble.from_float(time).minus(start))
 

@@ -3,19 +3,19 @@ extends RefCounted
 ## The first impact of a ball in straight flight with a two-sided segment with round caps, to about
 ## 100 bits: the steps of [SegmentImpact] in the arithmetic of [ExactVector].
 ##
-## A ball that touches or overlaps already and approaches the nearest point of the segment has its
-## impact at once, at time 0; one that moves away or along has none.
+## A ball that touches or overlaps the segment already has its impact at time 0 if it approaches the
+## nearest point, and none if it moves away or along.
 
-## Without it the other fields mean nothing.
+## Whether there is an impact; without one the other members have no meaning.
 var hit := false
 ## Seconds from now, 0 or more.
 var time: DoubleDouble
-## From the segment towards the ball's centre, not of length 1.
+## The direction from the segment to the ball's centre. Its length is not 1.
 var normal: ExactVector
 
 
-## The impact of a ball at [param position], which flies with [param velocity], with
-## [param segment]; its length and [param radius] must be above 0.
+## The impact of a ball at [param position] with the velocity [param velocity] and [param segment],
+## whose length must be above 0, as must [param radius].
 static func with_segment(
 	position: ExactVector, velocity: ExactVector, radius: float, segment: LineSegment
 ) -> ExactImpact:
@@ -31,7 +31,8 @@ static func with_segment(
 	return start if is_start else end
 
 
-# From the nearest point of the segment to the centre, or null beyond the radius.
+# The vector from the nearest point of the segment to the centre; null if that is longer than the
+# radius.
 static func _normal_if_touching(
 	position: ExactVector, velocity: ExactVector, radius: float, segment: LineSegment
 ) -> ExactVector:
@@ -40,7 +41,7 @@ static func _normal_if_touching(
 	var share := difference.dot(along)
 	var radius_squared := DoubleDouble.product_of(radius, radius)
 	if share.high >= 0.0 and not along.dot(along).is_less_than(share):
-		# The distance is d / |along|: squared and multiplied out, no root is needed.
+		# The distance is d / |along|. Comparing the squares needs no root.
 		var facing := _facing_normal(along, difference, velocity)
 		var distance := difference.dot(facing)
 		var reach := radius_squared.times(along.dot(along))
@@ -56,7 +57,7 @@ static func _with_line(
 	var along := ExactVector.between(segment.start, segment.end)
 	var difference := position.minus(ExactVector.from_vec2(segment.start))
 	var facing := _facing_normal(along, difference, velocity)
-	# Way to the contact and approach, both times the length of the segment.
+	# The way to the contact and the speed of approach, both times the length of the segment.
 	var length := along.dot(along).square_root()
 	var way := difference.dot(facing).minus(length.times(DoubleDouble.from_float(radius)))
 	var approach := velocity.dot(facing).negated()
@@ -69,9 +70,9 @@ static func _with_line(
 	return _impact(at, facing)
 
 
-# |d + t v| = r with the smaller root t = c / (-b + root of D), in which nothing cancels; b = d . v,
-# c = d . d - r^2. D = b^2 - v^2 c is (r |v|)^2 - (d x v)^2, whose factors keep the digits that the
-# difference of squares loses for a small radius far away.
+# |d + t v| = r has the smaller root t = c / (-b + root of D), in which no digits cancel, with
+# b = d . v and c = d . d - r^2. D = b^2 - v^2 c is (r |v|)^2 - (d x v)^2. As a product of two
+# factors it keeps the digits that the difference of squares loses for a small radius far away.
 static func _with_cap(
 	position: ExactVector, velocity: ExactVector, radius: float, cap: Vec2
 ) -> ExactImpact:
@@ -95,8 +96,8 @@ static func _at_once(velocity: ExactVector, with_normal: ExactVector) -> ExactIm
 	return _impact(DoubleDouble.from_float(0.0), with_normal)
 
 
-# As long as the segment, on the side on which the ball is; for a centre on the line itself, on the
-# side from which it comes.
+# The normal on the side on which the ball is, as long as the segment. For a centre on the line
+# itself it is on the side from which the ball comes.
 static func _facing_normal(
 	along: ExactVector, difference: ExactVector, velocity: ExactVector
 ) -> ExactVector:

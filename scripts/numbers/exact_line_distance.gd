@@ -1,9 +1,8 @@
 class_name ExactLineDistance
 extends RefCounted
-## The distance of a point from an infinite line to about 100 bits: what a readout compares a
-## method with.
+## The distance of a point from an infinite line to about 100 bits: the exact answer for readouts.
 ##
-## The coordinates are taken as exact; their differences must be 0 or have a magnitude between 1e-90
+## The coordinates are taken as exact. Their differences must be 0 or have a magnitude between 1e-90
 ## and 1e140.
 
 
@@ -20,7 +19,7 @@ static func signed_distance(point: Vec2, line: LineSegment) -> DoubleDouble:
 	return determinant.divided(squared.square_root())
 
 
-## How many pixels [param value] is above (negative: below) the signed distance.
+## The error of [param value] as the signed distance, in pixels; negative if it is too small.
 static func error_of(value: float, point: Vec2, line: LineSegment) -> float:
 	return signed_distance(point, line).error_of(value)
 

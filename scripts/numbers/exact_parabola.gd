@@ -1,10 +1,10 @@
 class_name ExactParabola
 extends RefCounted
-## The path of a ball under constant acceleration to about 100 bits: settles what plain numbers
-## cannot, such as whether a ball that nearly grazes a line touches it.
+## The path of a ball under constant acceleration to about 100 bits. It decides what doubles cannot,
+## such as whether a ball that nearly grazes a line touches it.
 ##
-## Every number handed in is taken as exact. Numbers and their products must be 0 or have a
-## magnitude between 1e-140 and 1e140.
+## All arguments are taken as exact. Numbers and their products must be 0 or have a magnitude
+## between 1e-140 and 1e140.
 
 var _px: DoubleDouble
 var _py: DoubleDouble
@@ -14,8 +14,8 @@ var _gx: DoubleDouble
 var _gy: DoubleDouble
 
 
-## A centre at (px, py) in pixels with the velocity (vx, vy) in px/s and the acceleration (gx, gy)
-## in px/s².
+## The path of a centre that starts at (px, py), in pixels, with the velocity (vx, vy) in px/s and
+## the acceleration (gx, gy) in px/s².
 func _init(px: float, py: float, vx: float, vy: float, gx: float, gy: float) -> void:
 	_px = DoubleDouble.from_float(px)
 	_py = DoubleDouble.from_float(py)
@@ -25,15 +25,15 @@ func _init(px: float, py: float, vx: float, vy: float, gx: float, gy: float) -> 
 	_gy = DoubleDouble.from_float(gy)
 
 
-## By how much the start is farther than [param reach] from the line through (ax, ay) and (bx, by),
-## seen from the side [param side] (1 or -1; a negative reach means the other edge of the strip),
-## times the length of the segment.
+## The distance of the start from the line through (ax, ay) and (bx, by), on the side [param side]
+## (1 or -1), less [param reach]; all times the length of the segment. A negative reach stands for
+## the other edge of the strip.
 func line_gap(ax: float, ay: float, bx: float, by: float, reach: float, side: float) -> float:
 	return _line_gap(ax, ay, bx, by, reach, side).to_float()
 
 
-## The discriminant of the times at which the distance from the line is [param reach]:
-## climb² - 2 pull gap, each times the length of the segment as in [method line_gap].
+## The discriminant of the quadratic for the times at which the distance from the line is
+## [param reach]: climb² - 2 pull gap, each times the length of the segment as in [method line_gap].
 func line_discriminant(
 	ax: float, ay: float, bx: float, by: float, reach: float, side: float
 ) -> float:
@@ -45,7 +45,7 @@ func line_discriminant(
 	return climb.times(climb).minus(pull.times(gap)).to_float()
 
 
-## Squared distance from (cx, cy) less radius², in px², after [param seconds].
+## The squared distance from (cx, cy) less radius², in px², after [param seconds].
 func squared_gap(cx: float, cy: float, radius: float, seconds: float) -> float:
 	var dx := _at(_px, _vx, _gx, seconds).minus(DoubleDouble.from_float(cx))
 	var dy := _at(_py, _vy, _gy, seconds).minus(DoubleDouble.from_float(cy))
@@ -53,7 +53,8 @@ func squared_gap(cx: float, cy: float, radius: float, seconds: float) -> float:
 	return squared.minus(DoubleDouble.product_of(radius, radius)).to_float()
 
 
-## Half of how fast [method squared_gap] grows, in px²/s: the velocity times the way from (cx, cy).
+## Half the rate of change of [method squared_gap], in px²/s: the dot product of the velocity and
+## the vector from (cx, cy).
 func growth(cx: float, cy: float, seconds: float) -> float:
 	var dx := _at(_px, _vx, _gx, seconds).minus(DoubleDouble.from_float(cx))
 	var dy := _at(_py, _vy, _gy, seconds).minus(DoubleDouble.from_float(cy))

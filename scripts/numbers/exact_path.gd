@@ -4,28 +4,28 @@ extends RefCounted
 ## followed from impact to impact with about 100 bits: the exact answer that other methods are
 ## compared with.
 ##
-## All numbers handed in are taken as exact. Among obstacles an error grows manyfold with every
-## bounce: doubles lose the path after some 20, twice the digits keep it twice as long. Slow: one to
+## All arguments are taken as exact. Among obstacles an error is multiplied at every bounce: doubles
+## lose the path after about 20 bounces, and twice the digits keep it twice as long. Slow: one to
 ## two milliseconds a bounce.
 
-## What the distance of a far segment is taken too small by, as a share of the coordinates: much
-## more than plain doubles can be wrong, much less than matters for speed.
+## The distance of a far segment is taken smaller by this fraction of the coordinates: much more
+## than the rounding of doubles, and much less than matters for speed.
 const _MARGIN := 1e-9
 
 ## The flights up to [member time]; each but the first begins with a bounce.
 var flights: Array[ExactFlight] = []
-## How far the path is known, in seconds.
+## The time up to which the path has been followed, in seconds.
 var time := 0.0
 
 var _radius: float
 var _segments: Array[LineSegment] = []
-# The impact that ends the last flight, and with which segment.
+# The impact that ends the last flight, and the index of its segment.
 var _next: ExactImpact
 var _next_index: int
 
 
-## Begins anew at time 0 with a copy of the ball and the segments. "" or one sentence on what cannot
-## be used; then nothing has changed.
+## Starts again at time 0 with copies of the ball and the segments. Returns "", or one sentence
+## about what cannot be used; then nothing has changed.
 func start(ball: Ball, segments: Array[LineSegment]) -> String:
 	var problem := _problem_of(ball, segments)
 	if problem:
@@ -40,9 +40,10 @@ func start(ball: Ball, segments: Array[LineSegment]) -> String:
 	return ""
 
 
-## Follows the path on to [param until], in seconds since the start. "" or one sentence: for a time
-## that is over or not finite, before [method start], and after more than [param most_bounces], as
-## between two segments that the ball overlaps both; then [member time] stays.
+## Follows the path to the time [param until], in seconds since the start. Returns "", or one
+## sentence, and then [member time] does not change: for a time that is past or not finite, before
+## [method start], and after more than [param most_bounces] bounces, such as those between two
+## segments that both overlap the ball.
 func advance_to(until: float, most_bounces: int = 100000) -> String:
 	if not (until >= time and is_finite(until)):
 		return "The path goes on from %s s to a finite time, not to %s." % [time, until]
@@ -57,7 +58,7 @@ func advance_to(until: float, most_bounces: int = 100000) -> String:
 	return ""
 
 
-## Bounces up to [member time].
+## The number of bounces up to [member time].
 func bounces() -> int:
 	return maxi(flights.size() - 1, 0)
 
@@ -82,7 +83,7 @@ func position_at(at_time: float) -> Vec2:
 	return flight_at(at_time).position_at(at_time).to_vec2()
 
 
-## The flight at [param at_time]; at the moment of a bounce the one that begins with it.
+## The flight at [param at_time]; at the time of a bounce the flight that begins with it.
 func flight_at(at_time: float) -> ExactFlight:
 	var first := 0
 	var last := flights.size() - 1
@@ -110,7 +111,7 @@ func _begin_flight(flight: ExactFlight) -> void:
 	flights.append(flight)
 	_next = ExactImpact.new()
 	for index in _segments.size():
-		# A segment is convex: a ball that has bounced off it never comes back in straight flight.
+		# A segment is convex: a ball that has bounced off it does not come back in straight flight.
 		if index != flight.segment_index and not _is_surely_later(flight, _segments[index]):
 			_keep_if_earlier(flight, index)
 
@@ -124,8 +125,8 @@ func _keep_if_earlier(flight: ExactFlight, index: int) -> void:
 		_next_index = index
 
 
-# Spares most segments the slow arithmetic. Plain doubles tell how long the ball needs at least to
-# come within reach of the segment's infinite line, and of the part of it beside the segment.
+# Avoids the slow arithmetic for most segments. Doubles give the least time that the ball needs to
+# come within reach of the segment's infinite line, and of its extent along that line.
 func _is_surely_later(flight: ExactFlight, segment: LineSegment) -> bool:
 	var latest := _next.time.high if _next.hit else INF
 	var velocity_now := flight.velocity.to_vec2()
@@ -143,7 +144,7 @@ func _is_surely_later(flight: ExactFlight, segment: LineSegment) -> bool:
 	return _least_time(way, -signf(beside) * velocity_now.dot(along)) >= latest
 
 
-# The least time for a way at an approach; the speed that a double may have lost is added.
+# The least time for a way at a speed of approach, to which the rounding error of a double is added.
 func _least_time(way: float, approach: float) -> float:
 	var most := approach + _MARGIN * flights[-1].velocity.to_vec2().length()
 	if way <= 0.0:

@@ -1,12 +1,11 @@
 class_name ExactProjection
 extends RefCounted
-## The dot product and the scalar projection to about 100 bits: what a readout compares a method
-## with.
+## The dot product and the scalar projection to about 100 bits: the exact answers for readouts.
 ##
 ## The components are taken as exact. They must be 0 or have a magnitude between 1e-150 and 1e150.
 
-## Both vectors are brought to about this length, in the middle of the range of a double, so that
-## products of their large and of their small components stay in range.
+## Both vectors are scaled to about 2 to this power, in the middle of the range of a double, so that
+## the products of large and of small components stay in range.
 const _EXPONENT_OF_LENGTH := 400.0
 
 
@@ -26,7 +25,8 @@ static func scalar_projection(a: Vec2, b: Vec2) -> DoubleDouble:
 	return DoubleDouble.new(projection.high / factor, projection.low / factor)
 
 
-## How many pixels [param value] is above (negative: below) the scalar projection of a on b.
+## The error of [param value] as the scalar projection of a on b, in pixels; negative if it is too
+## small.
 static func error_of_scalar_projection(value: float, a: Vec2, b: Vec2) -> float:
 	return scalar_projection(a, b).error_of(value)
 

@@ -1,13 +1,13 @@
 class_name ExactReflection
 extends RefCounted
-## The reflection off a line to about 100 bits: what a readout compares a method with.
+## The reflection off a line to about 100 bits: the exact answer for readouts.
 ##
 ## The components are taken as exact. They must be 0 or have a magnitude between 1e-140 and 1e140.
 
 
-## How far in units [param value] is from v - times (v . n) n, n being the exact unit normal of a
-## line along [param along]: 2 times is the law of reflection, once slides. For a zero along it is
-## the distance from v.
+## The distance of [param value] from v - times (v . n) n, where n is the exact unit normal of a
+## line along [param along]: with 2 as times it is the law of reflection, with 1 the ball slides.
+## For a zero along it is the distance from v.
 static func error_of(value: Vec2, velocity: Vec2, along: Vec2, times: float) -> float:
 	var normal := Vec2.new(-along.y, along.x)
 	var subtracted := _times_of_normal(velocity, normal, times)
@@ -16,7 +16,7 @@ static func error_of(value: Vec2, velocity: Vec2, along: Vec2, times: float) -> 
 	return Vec2.new(error_of_x, error_of_y).length()
 
 
-# times (v . n) / |n|²: so often the normal, which need not have length 1, is subtracted.
+# times (v . n) / |n|²: the factor of the normal, whose length need not be 1.
 static func _times_of_normal(velocity: Vec2, normal: Vec2, times: float) -> DoubleDouble:
 	if normal.length() == 0.0:
 		return DoubleDouble.from_float(0.0)

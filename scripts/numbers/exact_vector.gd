@@ -3,13 +3,13 @@ extends RefCounted
 ## A vector with about 106 bits in each component, for [ExactPath]. It never changes: every
 ## operation returns a new one. The range is that of [DoubleDouble].
 
-## To the right, in pixels or pixels per second.
+## The horizontal component, to the right, in pixels or pixels per second.
 var x: DoubleDouble
-## Down, in the same unit.
+## The vertical component, downwards, in the same unit.
 var y: DoubleDouble
 
 
-## Takes both components, which nobody can change.
+## A vector with these components.
 func _init(x_component: DoubleDouble, y_component: DoubleDouble) -> void:
 	x = x_component
 	y = y_component
@@ -20,7 +20,7 @@ func _to_string() -> String:
 	return "(%s, %s)" % [x, y]
 
 
-## The same vector, with nothing behind the digits of the doubles.
+## The same vector, exactly.
 static func from_vec2(vector: Vec2) -> ExactVector:
 	return ExactVector.new(DoubleDouble.from_float(vector.x), DoubleDouble.from_float(vector.y))
 
@@ -30,17 +30,17 @@ static func between(from: Vec2, to: Vec2) -> ExactVector:
 	return ExactVector.new(DoubleDouble.sum_of(to.x, -from.x), DoubleDouble.sum_of(to.y, -from.y))
 
 
-## This vector and [param other] together.
+## The sum of this vector and [param other].
 func plus(other: ExactVector) -> ExactVector:
 	return ExactVector.new(x.plus(other.x), y.plus(other.y))
 
 
-## This vector less [param other].
+## This vector minus [param other].
 func minus(other: ExactVector) -> ExactVector:
 	return ExactVector.new(x.minus(other.x), y.minus(other.y))
 
 
-## This vector made [param factor] times as long.
+## This vector times [param factor].
 func scaled(factor: DoubleDouble) -> ExactVector:
 	return ExactVector.new(x.times(factor), y.times(factor))
 

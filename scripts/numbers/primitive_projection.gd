@@ -1,10 +1,10 @@
 class_name PrimitiveProjection
 extends RefCounted
-## The projection by angles, as one does it who does not know the dot product: slow, cumbersome and
-## less exact.
+## The projection by angles, for those who do not know the dot product: slower, longer and less
+## exact.
 
 
-## |a| cos(angle of a - angle of onto), with both angles by atan2. 0 for a zero onto.
+## |a| cos(angle of a - angle of onto), with both angles from atan2. 0 for a zero onto.
 static func scalar(a: Vec2, onto: Vec2) -> float:
 	if onto.length() == 0.0:
 		return 0.0

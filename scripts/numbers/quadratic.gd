@@ -1,11 +1,11 @@
 class_name Quadratic
 extends RefCounted
-## The equation a t^2 + b t + c = 0 in plain numbers.
+## The quadratic equation a t^2 + b t + c = 0.
 
 
-## Its real roots, the smaller one first; none where there is none, or where every t would do. The
-## root that would cancel is taken from the product of both (c / a), as in Numerical Recipes,
-## section 5.6.
+## Its real roots, the smaller one first. Empty if there is none, or if every t is a root. The root
+## whose digits would cancel is computed from the product of both roots, c / a (Numerical Recipes,
+## section 5.6).
 static func roots(a: float, b: float, c: float) -> PackedFloat64Array:
 	if a == 0.0:
 		return PackedFloat64Array([-c / b]) if b != 0.0 else PackedFloat64Array()

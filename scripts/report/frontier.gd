@@ -1,12 +1,13 @@
 class_name Frontier
 extends RefCounted
-## Who is on the frontier between error and run time: the methods that no other beats in both.
+## The frontier between error and run time: the methods that no other method beats (the Pareto
+## front).
 ##
-## Measurements of different situations are never compared; one without an answer is on no frontier.
+## Measurements of different situations are never compared. One without an answer is on no frontier.
 
 
 ## Whether [param one] is at least as good as [param other] in error and in run time, and better in
-## one of them, in the same problem and situation.
+## one of them. False for different problems or situations.
 static func beats(one: Measurement, other: Measurement) -> bool:
 	if one.problem != other.problem or one.situation != other.situation:
 		return false

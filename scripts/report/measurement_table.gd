@@ -2,10 +2,12 @@ class_name MeasurementTable
 extends RefCounted
 ## Measurements as comma-separated values (RFC 4180), and back: the file error_vs_time.csv.
 ##
-## Numbers have all the digits that tell one double from the next. The error of a measurement
-## without an answer is an empty cell. What has no column of its own, the figures, is in the note.
+## Numbers have all the digits that tell one double from the next. A measurement without an answer
+## has an empty cell for its error, and an empty one for its run time if a world refused to go on.
+## The figures have no column of their own; what matters of them is in the note.
 
-## The first line.
+## The first line. The column "peer" is [member Measurement.is_baseline]: it has kept its old name,
+## so that older files can still be compared with new ones.
 const COLUMNS := (
 	"problem,method,setting,peer,run_time_us,error,error_unit,note"
 	+ ",lower_quartile_us,upper_quartile_us"
@@ -35,7 +37,7 @@ static func from_csv(text: String) -> Array[Measurement]:
 	return found
 
 
-## The cells of one line, without their quotes. Line breaks inside of cells are not known here:
+## The cells of one line, without their quotes. Cells with line breaks are not supported, because
 ## none is ever written.
 static func cells(line: String) -> PackedStringArray:
 	var found: PackedStringArray = [""]
@@ -44,7 +46,7 @@ static func cells(line: String) -> PackedStringArray:
 	for character in line:
 		if character == '"':
 			is_quoted = not is_quoted
-			# Two quotes inside of quotes are one: the second opens again.
+			# Two quotes within quotes stand for one: the second opens the cell again.
 			if is_quoted and last == '"':
 				found[-1] += '"'
 		elif character == "," and not is_quoted:
@@ -60,19 +62,15 @@ static func _line(measurement: Measurement) -> String:
 		_cell(measurement.problem),
 		_cell(measurement.method),
 		_cell(measurement.setting),
-		"1" if measurement.is_peer else "0",
-		String.num_scientific(measurement.run_time_us),
-		String.num_scientific(measurement.error) if measurement.has_answer() else "",
+		"1" if measurement.is_baseline else "0",
+		_number(measurement.run_time_us),
+		_number(measurement.error),
 		_cell(measurement.error_unit),
 		_cell(measurement.note),
-		_quartile(measurement.lower_quartile_us),
-		_quartile(measurement.upper_quartile_us),
+		_number(measurement.lower_quartile_us),
+		_number(measurement.upper_quartile_us),
 	]
 	return ",".join(texts)
-
-
-static func _quartile(value: float) -> String:
-	return String.num_scientific(value) if is_finite(value) else ""
 
 
 static func _measurement(columns: PackedStringArray, texts: PackedStringArray) -> Measurement:
@@ -87,9 +85,9 @@ static func _measurement(columns: PackedStringArray, texts: PackedStringArray) -
 			"setting":
 				measurement.situation = text
 			"peer":
-				measurement.is_peer = text == "1"
+				measurement.is_baseline = text == "1"
 			"run_time_us":
-				measurement.run_time_us = text.to_float()
+				measurement.run_time_us = text.to_float() if text else Measurement.NO_ANSWER
 			"lower_quartile_us":
 				measurement.lower_quartile_us = text.to_float() if text else NAN
 			"upper_quartile_us":
@@ -101,6 +99,10 @@ static func _measurement(columns: PackedStringArray, texts: PackedStringArray) -
 			"note":
 				measurement.note = text
 	return measurement
+
+
+static func _number(value: float) -> String:
+	return String.num_scientific(value) if is_finite(value) else ""
 
 
 static func _cell(text: String) -> String:

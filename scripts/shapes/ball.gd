@@ -1,6 +1,6 @@
 class_name Ball
 extends RefCounted
-## A round thing that moves: where it is, how fast, how large.
+## A round body that moves: its position, velocity, radius and mass.
 
 ## The centre, in pixels.
 var position: Vec2
@@ -8,11 +8,11 @@ var position: Vec2
 var velocity: Vec2
 ## Pixels, above 0.
 var radius: float
-## Above 0; only collisions of balls with each other need it.
+## The mass in any unit, above 0. Only collisions of balls with each other use it.
 var mass: float
 
 
-## A ball at rest unless [param at_velocity] is given. Both vectors are copied, so that nothing is
+## A ball, at rest unless [param at_velocity] is given. Both vectors are copied, so that nothing is
 ## shared.
 func _init(
 	at_position: Vec2, with_radius: float, at_velocity: Vec2 = Vec2.new(), with_mass: float = 1.0
@@ -28,7 +28,7 @@ func copy() -> Ball:
 	return Ball.new(position, radius, velocity, mass)
 
 
-## "" if this ball can be used; else one sentence with the value and what is allowed.
+## "" if this ball can be used; otherwise one sentence with the value and what is allowed.
 func problem() -> String:
 	if not (position.is_finite() and velocity.is_finite()):
 		return (

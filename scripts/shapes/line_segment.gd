@@ -1,14 +1,15 @@
 class_name LineSegment
 extends RefCounted
-## A straight line between two points; read as an infinite line where a function says so.
+## A straight line between two points. Some functions take it as the infinite line through both
+## points, and say so.
 
-## Where it begins, in pixels.
+## The first point, in pixels.
 var start: Vec2
-## Where it ends, in pixels.
+## The second point, in pixels.
 var end: Vec2
 
 
-## The segment between two points, which are copied, so that nothing is shared.
+## The segment between two points. Both are copied, so that nothing is shared.
 func _init(from: Vec2, to: Vec2) -> void:
 	start = from.copy()
 	end = to.copy()
@@ -29,25 +30,26 @@ func length() -> float:
 	return start.distance_to(end)
 
 
-## The unit normal: +90 degrees from [method along], clockwise on screen. The same wherever the
-## line is moved. Zero for a segment of length 0.
+## The unit normal: +90 degrees from [method along], clockwise on screen. It does not depend on
+## where the segment is. Zero for a segment of length 0.
 func normal() -> Vec2:
 	return along().normal()
 
 
-## The point of the segment that is nearest to [param point]: a foot of a perpendicular, or an end.
+## The point of the segment that is nearest to [param point]: the foot of the perpendicular, or an
+## end.
 func closest_point(point: Vec2) -> Vec2:
 	return start.lerped(end, clampf(share_of(point), 0.0, 1.0))
 
 
-## Where the perpendicular from [param point] meets the line: 0 at the start, 1 at the end, below or
-## above beside them. 0 for a segment of length 0.
+## Where the perpendicular from [param point] meets the infinite line: 0 at the start, 1 at the end,
+## below 0 or above 1 beyond them. 0 for a segment of length 0.
 func share_of(point: Vec2) -> float:
 	var size := length()
 	return point.minus(start).scalar_projection(along()) / size if size > 0.0 else 0.0
 
 
-## "" if this segment can be used; else one sentence with the value and what is allowed.
+## "" if this segment can be used; otherwise one sentence with the value and what is allowed.
 func problem() -> String:
 	if not (start.is_finite() and end.is_finite()):
 		return "A segment's ends must be finite, not %s and %s." % [start, end]

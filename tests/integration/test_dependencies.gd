@@ -7,6 +7,7 @@ const UNIT_TESTS := "res://tests/unit"
 
 ## From the ground up. What is in one layer names nothing in a later one.
 const LAYERS: PackedStringArray = [
+	"res://scripts/refusal.gd",
 	"res://scripts/vec2.gd",
 	"res://scripts/shapes",
 	"res://scripts/numbers",

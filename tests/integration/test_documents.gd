@@ -5,6 +5,12 @@ extends LabTest
 const _PATH := "`((?:scripts|scenes|tests|tools|docs|benchmarks|assets|addons)/[\\w./]*)`"
 ## What "Adding a lesson" calls the lesson that is to be made.
 const _PLACEHOLDER := "my_lesson"
+## The classes of the variables in the list of queries.
+const _VARIABLES: Dictionary[String, String] = {
+	"ball": "Ball",
+	"segment": "LineSegment",
+	"velocity": "Vec2",
+}
 const _LINK := '\\]\\((?!https?:)([^)#]+)\\)|src="([^"]+)"'
 
 
@@ -40,6 +46,26 @@ func _documents() -> PackedStringArray:
 	var found: PackedStringArray = ["README.md"]
 	for file: String in SourceCode.files_below("res://docs", ["md"]):
 		found.append(file.trim_prefix("res://"))
+	return found
+
+
+func test_every_call_in_the_list_of_queries_exists() -> void:
+	var calls := _found("docs/collision_queries.md", "`(\\w+\\.\\w+)\\(")
+	assert_gt(calls.size(), 20, "calls are found")
+	for listed in calls:
+		var owner_name := listed.get_slice(".", 0)
+		owner_name = _VARIABLES.get(owner_name, owner_name)
+		assert_has(_methods_of(owner_name), listed.get_slice(".", 1), listed)
+
+
+func _methods_of(class_name_wanted: String) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for global_class: Dictionary in ProjectSettings.get_global_class_list():
+		if global_class["class"] == class_name_wanted:
+			var path: String = global_class["path"]
+			for method: Dictionary in (load(path) as GDScript).get_script_method_list():
+				var method_name: String = method["name"]
+				found.append(method_name)
 	return found
 
 

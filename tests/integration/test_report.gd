@@ -57,14 +57,14 @@ func test_every_problem_has_cases_of_its_own_in_both_forms() -> void:
 			assert_gt(cases.size(), 1, problem.id)
 			for case in cases:
 				assert_eq(
-					[case.problem, case.is_peer, case.method != ""], [problem.id, false, true]
+					[case.problem, case.is_baseline, case.method != ""], [problem.id, false, true]
 				)
 
 
 func test_no_two_cases_of_a_problem_are_named_alike() -> void:
 	for problem in ReportProblems.all():
 		var names: Dictionary[String, bool] = {}
-		var cases := problem.cases(false) + PeerCases.of(problem.id, false, self)
+		var cases := problem.cases(false) + EngineCases.of(problem.id, false, self)
 		for case in cases:
 			names["%s, %s" % [case.method, case.setting]] = true
 		assert_eq(names.size(), cases.size(), problem.id)

@@ -12,14 +12,10 @@ static func world(
 	var segments: Array[LineSegment] = []
 	for line: Vector4 in lines:
 		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))
-	for problem: String in [
-		made.set_segments(segments),
-		made.set_gravity(gravity),
-		made.set_bounciness(bounciness),
-		made.set_balls(balls),
-	]:
-		if problem:
-			push_error(problem)
+	Refusal.push(made.set_segments(segments))
+	Refusal.push(made.set_gravity(gravity))
+	Refusal.push(made.set_bounciness(bounciness))
+	Refusal.push(made.set_balls(balls))
 	return made
 
 
@@ -38,8 +34,8 @@ static func gas(count: int, seed_number: int, mixed: bool = false) -> EventWorld
 		var radius := rng.randf_range(2, 12) if mixed else 10.0
 		balls.append(Ball.new(place, radius, velocity, radius * radius if mixed else 1.0))
 	var made := EventWorld.new()
-	made.set_walls(Vec2.zero(), Vec2.new(side, side))
-	made.set_balls(balls)
+	Refusal.push(made.set_walls(Vec2.zero(), Vec2.new(side, side)))
+	Refusal.push(made.set_balls(balls))
 	return made
 
 

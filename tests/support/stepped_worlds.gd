@@ -8,13 +8,13 @@ const FRAME := 1.0 / 60.0
 
 ## A world with these lines, given as x and y of both ends, and one ball.
 static func world(lines: Array[Vector4], ball: Ball, gravity: Vec2 = Vec2.new()) -> SteppedWorld:
-	var made := SteppedWorld.new()
+	var made := SteppedWorld.new(WholeFrameMover.new())
 	var segments: Array[LineSegment] = []
 	for line: Vector4 in lines:
 		segments.append(LineSegment.new(Vec2.new(line.x, line.y), Vec2.new(line.z, line.w)))
-	made.surroundings.set_segments(segments)
-	made.surroundings.set_gravity(gravity)
-	made.set_balls([ball])
+	Refusal.push(made.surroundings.set_segments(segments))
+	Refusal.push(made.surroundings.set_gravity(gravity))
+	Refusal.push(made.set_balls([ball]))
 	return made
 
 
@@ -39,11 +39,11 @@ static func box(count: int, seed_number: int) -> SteppedWorld:
 		var place := Vec2.new(rng.randf_range(-230, 230), rng.randf_range(-150, -130))
 		var velocity := Vec2.random_unit(rng).scaled(rng.randf_range(50, 400))
 		balls.append(Ball.new(place, 6.0, velocity))
-	made.set_balls(balls)
+	Refusal.push(made.set_balls(balls))
 	return made
 
 
-## Steps a world so many frames.
+## Steps a world by this many frames.
 static func run(made: SteppedWorld, frames: int) -> void:
 	for frame: int in frames:
-		made.step(FRAME)
+		Refusal.push(made.step(FRAME))

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Measures error against run time, and writes build/report/: error_vs_time.csv, report.md, a picture for each problem.
-# Usage: tools/commands/report.sh [--quick] [--peers] [--problems=NUMBER,...] [--against FILE]... [--also FILE]...
+# Usage: tools/commands/report.sh [--quick] [--libraries] [--problems=NUMBER,...] [--against FILE]... [--also FILE]...
 # --against FILE: an error_vs_time.csv of an older version: the report then has the ratio of the run times of each row
 # that is in both, with its spread. Several of them, and with --also several of the present version, give a better spread.
+# --libraries measures Box2D and Chipmunk, too; --peers is its old name.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
-usage="usage: ./lab report [--quick] [--peers] [--problems=NUMBER,...] [--against FILE]... [--also FILE]..."
-with_peers=
+usage="usage: ./lab report [--quick] [--libraries] [--problems=NUMBER,...] [--against FILE]... [--also FILE]..."
+with_libraries=
 quick=
 problems=
 compared=()
@@ -32,7 +33,7 @@ while [ $# -gt 0 ]; do
 			keep_table "$argument" "${1:-}"
 			shift
 			;;
-		--peers) with_peers=1 ;;
+		--libraries | --peers) with_libraries=1 ;;
 		--quick) quick=$argument ;;
 		--problems=*)
 			[[ $argument =~ ^--problems=[1-7](,[1-7])*$ ]] ||
@@ -45,22 +46,22 @@ done
 
 measure_libraries() {
 	bring_python_packages "$venv" "box2d==$BOX2D_VERSION" "pymunk==$PYMUNK_VERSION" &&
-		run_script report/write_shots.gd ${quick:+"$quick"} >"$folder/peers.log" &&
-		"$venv/bin/python" "$LAB_ROOT/tools/report/peers.py" "$folder/shots.json" "$folder/peers.json"
+		run_script report/write_shots.gd ${quick:+"$quick"} >"$folder/libraries.log" &&
+		"$venv/bin/python" "$LAB_ROOT/tools/report/libraries.py" "$folder/shots.json" "$folder/libraries.json"
 }
 
 prepare_project
 make_build_folder
 folder=$LAB_BUILD/report
-venv=$LAB_CACHE/peers-venv
+venv=$LAB_CACHE/libraries-venv
 mkdir -p "$folder"
 rm -f "$folder"/*
-if [ -n "$with_peers" ]; then
+if [ -n "$with_libraries" ]; then
 	measure_libraries || say "Box2D and Chipmunk could not be had or run: the report goes on without them"
 fi
 "$LAB_ROOT/tools/shared/run_with_patience.sh" 120 "$godot" --headless --fixed-fps 60 --path "$LAB_ROOT" \
 	-s tools/report/report.gd -- ${quick:+"$quick"} ${problems:+"$problems"} \
 	${compared[@]+"${compared[@]}"}
-rm -f "$folder/shots.json" "$folder/peers.json" "$folder/peers.log"
+rm -f "$folder/shots.json" "$folder/libraries.json" "$folder/libraries.log"
 [ -s "$folder/report.md" ] || die 1 "no report was written; see what Godot said above"
 say "written: build/report/report.md, error_vs_time.csv and a picture for each problem"

@@ -1,7 +1,7 @@
 extends RefCounted
-## What tools/report/peers.py has measured, as measurements of peers.
+## What tools/report/libraries.py has measured, as baselines.
 
-const FILE := "res://build/report/peers.json"
+const FILE := "res://build/report/libraries.json"
 
 
 ## All of it; nothing where that file is not there.
@@ -25,7 +25,7 @@ class Told:
 		method = told["method"]
 		situation = told["situation"]
 		tuning = told["tuning"]
-		is_peer = true
+		is_baseline = true
 		var time: float = told["run_time_us"]
 		keep_run(time)
 		if told.has("end"):

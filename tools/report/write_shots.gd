@@ -1,5 +1,5 @@
 extends SceneTree
-## Writes what other libraries are to fly, for tools/report/peers.py: build/report/shots.json.
+## Writes what other libraries are to fly, for tools/report/libraries.py: build/report/shots.json.
 ## Usage: godot --headless --path . -s tools/report/write_shots.gd -- [--quick]
 
 const FILE := "res://build/report/shots.json"

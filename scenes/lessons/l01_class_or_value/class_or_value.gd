@@ -1,170 +1,104 @@
 extends Lesson
 ## The lesson on objects and values: two names for one Vec2 beside two copies of a Vector2.
+##
+## The arrows Position and Value of the scene begin at the origins of the two fields. The head of
+## Position is where the lesson starts; the head of OldValue is the place that was kept before.
 
-const _STEP_COUNT := 4
-## Where the two fields have their origins: the Vec2 on the left, the Vector2 on the right.
-const _FIELD_OFFSET := 8.0
-## So many additions make the sums of the last step.
+## The step that shows the sums; the lesson opens one step before it.
+const _SUM_STEP := 3
+## How many times 0.1 is added for each row of the readout.
 const _COUNTS: Array[int] = [1000, 1_000_000]
 
 var _model := ClassOrValueModel.new()
-var _step := _STEP_COUNT - 2
+var _formula: ClassOrValueFormula
+# The Vec2 before the drag that is going on; null between drags.
+var _before: Vec2
 var _has_sums := false
-# The Vec2 before the drag that is going on.
-var _before := Vec2.new()
-var _rng := RandomNumberGenerator.new()
-var _exercise_kind := SharingExercise.Kind.VEC2
-var _left := Vec2.new(-_FIELD_OFFSET, 1.0)
-var _right := Vec2.new(_FIELD_OFFSET, 1.0)
 
-var _steps: Steps
-var _formula: Formula
-var _readout: Readout
-var _options: LessonOptions
-var _question: Question
-
+@onready var _steps: Steps = services.get(&"steps")
+@onready var _readout: Readout = services.get(&"readout")
 @onready var _position: DraggableVector = %Position
 @onready var _value: DraggableVector = %Value
 @onready var _old: Arrow = %Old
 @onready var _old_value: Arrow = %OldValue
 @onready var _fields: FieldTitles = %Fields
+@onready var _left := _position.tail_point()
+@onready var _right := _value.tail_point()
 
 
 func start() -> void:
-	_model.remember()
-	_model.move_to(4.0, -4.0)
-	_bring_services()
-	_define_formula()
-	_position.moved.connect(_move.bind(_left))
-	_value.moved.connect(_move.bind(_right))
-	_position.released.connect(_finish)
-	_value.released.connect(_finish)
-	_options.add_switch("copies", tr("Use copy()"))
-	_options.switched.connect(_switch)
-	_options.add_preset("remember", tr("Remember now"))
-	_options.preset_picked.connect(_remember)
-	_ask()
-	_question.exercise_wanted.connect(_ask)
-	resized.connect(_show_all)
-	_show_all()
+	var remembered := Vec2.from_vector2(_old_value.head).minus(_right)
+	_model.remember_and_move(remembered, _position.head_point().minus(_left))
+	_let_drag(_position, _left)
+	_let_drag(_value, _right)
+	_fill_panel()
+	begin(_model, _show, _reach)
 
 
-func state() -> Dictionary:
-	return _model.to_dictionary()
+func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
+	on_drag(vector.moved, vector.released, _move.bind(origin))
+	vector.released.connect(func() -> void: _before = null)
 
 
-func show_state(stored: Dictionary) -> void:
-	_model.from_dictionary(stored)
-	_show_all()
-
-
-func link_problem(linked: Dictionary) -> String:
-	return ClassOrValueModel.problem_of(linked)
-
-
-func _bring_services() -> void:
-	_steps = services[&"steps"] as Steps
-	_formula = services[&"formula"] as Formula
-	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as LessonOptions
-	_question = services[&"question"] as Question
-	_steps.step_changed.connect(_go_to_step)
-
-
-func _define_formula() -> void:
-	_formula.define_symbol("position", "position", Palette.Role.A)
-	_formula.define_symbol("old", "old", Palette.Role.UNIT)
-	_formula.define_symbol("value", "value", Palette.Role.B)
-	_formula.define_symbol("old_value", "old_value", Palette.Role.UNIT)
-	_formula.define_number("x", Palette.Role.A, tr("x of position"))
-	_formula.define_number("y", Palette.Role.A, tr("y of position"))
-	_formula.define_number("position_pair", Palette.Role.A)
-	_formula.define_number("old_pair", Palette.Role.UNIT)
-	_formula.define_number("value_pair", Palette.Role.B)
-	_formula.define_number("old_value_pair", Palette.Role.UNIT)
-	_formula.number_entered.connect(_enter_number)
+func _fill_panel() -> void:
+	var formula := services[&"formula"] as Formula
+	_formula = ClassOrValueFormula.new(formula)
+	on_edit(formula.number_entered, _model.enter)
+	_steps.open_at(_SUM_STEP - 1)
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("copies", tr("Use copy()"))
+	options.add_preset("remember", tr("Remember now"))
+	on_edit(options.switched, _switch)
+	on_edit(options.preset_picked, _model.remember.unbind(1))
+	var kinds := SharingExercise.Kind.size()
+	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
 
 
 # What the student does.
 
 
-# A vector that is dragged by its tail comes along as a whole: its tail stays at the origin.
+# A vector that is dragged by its tail or as a whole moves its head: the tail stays at the origin.
 func _move(tail: Vec2, head: Vec2, origin: Vec2) -> void:
+	if not _before:
+		_before = _model.position.copy()
 	var moved := head.minus(origin)
 	if not tail.equals_approx(origin, 0.0):
-		moved = tail.minus(origin).plus(_before)
+		moved = _before.plus(tail.minus(origin))
 	_model.move_to(moved.x, moved.y)
-	_show_model()
-
-
-func _enter_number(name_in_line: String, number: float) -> void:
-	if name_in_line == "x":
-		_model.move_to(number, _model.position.y)
-	else:
-		_model.move_to(_model.position.x, number)
-	_finish()
 
 
 func _switch(_key: String, on: bool) -> void:
 	_model.copies = on
 	_model.remember()
-	_finish()
-
-
-func _remember(_key: String) -> void:
-	_model.remember()
-	_finish()
-
-
-func _ask() -> void:
-	_question.show_exercise(SharingExercise.fresh(_exercise_kind, _rng))
-	_exercise_kind = (_exercise_kind + 1) % SharingExercise.Kind.size() as SharingExercise.Kind
-
-
-func _go_to_step(step: int) -> void:
-	_step = step
-	_show_all()
-
-
-func _finish() -> void:
-	_show_all()
-	edited.emit()
 
 
 # What the student sees.
 
 
-func _show_all() -> void:
-	_before = _model.position.copy()
+# As much of the plane on both sides of each origin as position needs on one.
+func _reach() -> Array[Vec2]:
 	var reach := Vec2.new(absf(_model.position.x), absf(_model.position.y))
-	board.fit([_right.plus(reach), _right.minus(reach)])
-	_options.show_switch("copies", _model.copies)
-	_steps.show_sentences(ClassOrValueTexts.sentences(_model.copies), _step)
-	_show_model()
+	return [_right.plus(reach), _right.minus(reach)]
 
 
-func _show_model() -> void:
+func _show() -> void:
 	_position.lay(_left, _left.plus(_model.position))
 	_value.lay(_right, _right.plus(Vec2.from_vector2(_model.value)))
 	_old.lay(_left, _left.plus(_model.old))
 	_old_value.lay(_right, _right.plus(Vec2.from_vector2(_model.old_value)))
-	_old.visible = _step >= 1
-	_old_value.visible = _step >= 1
-	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), _step))
-	_formula.show_lines(ClassOrValueTexts.lines(_model.copies, _step))
-	_formula.set_number("x", _model.position.x)
-	_formula.set_number("y", _model.position.y)
-	_formula.set_vector("position_pair", _model.position)
-	_formula.set_vector("old_pair", _model.old)
-	_formula.set_vector("value_pair", Vec2.from_vector2(_model.value))
-	_formula.set_vector("old_value_pair", Vec2.from_vector2(_model.old_value))
-	_readout.visible = _step >= _STEP_COUNT - 1
-	if _readout.visible and not _has_sums:
-		_show_sums()
+	_old.visible = _steps.step >= 1
+	_old_value.visible = _steps.step >= 1
+	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), _steps.step))
+	_formula.show_model(_model, _steps.step)
+	_steps.tell(ClassOrValueTexts.sentences(_model.copies))
+	_show_sums()
 
 
 # Two million additions take a moment: they wait until the step that shows them.
 func _show_sums() -> void:
+	_readout.visible = _steps.step >= _SUM_STEP
+	if _has_sums or not _readout.visible:
+		return
 	_has_sums = true
 	for count in _COUNTS:
 		_show_sum("64 %d" % count, tr("Vec2, %s times"), count, TenthSum.with_64_bits)

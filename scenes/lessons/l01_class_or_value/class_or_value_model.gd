@@ -1,10 +1,11 @@
 class_name ClassOrValueModel
-extends RefCounted
+extends LessonModel
 ## A Vec2 is an object that names share; Godot's Vector2 is a value that every name has for itself.
 ##
-## Both are given the same place, the same second name and the same change.
+## A Vec2 and a Vector2 get the same numbers, each gets a second name, and both are then moved to
+## the same place.
 
-## Numbers stay within this, so that those of the Vector2 stay finite.
+## Components lie within -LARGEST..LARGEST, so that those of the Vector2 stay finite.
 const LARGEST := 1e38
 
 ## The Vec2 that the student moves.
@@ -36,7 +37,23 @@ func move_to(x: float, y: float) -> void:
 	value = Vector2(x, y)
 
 
-## Whether both names stand for one Vec2.
+## Takes the number that has this name in the formula: `x` or `y` of both.
+func enter(name_in_line: String, number: float) -> void:
+	if name_in_line == "x":
+		move_to(number, position.y)
+	else:
+		move_to(position.x, number)
+
+
+## Begins anew: what is remembered is [param old_place], then both are moved to [param place].
+func remember_and_move(old_place: Vec2, place: Vec2) -> void:
+	position = old_place.copy()
+	value = old_place.to_vector2()
+	remember()
+	move_to(place.x, place.y)
+
+
+## Whether [member position] and [member old] are two names for one Vec2.
 func is_shared() -> bool:
 	return old == position
 
@@ -50,16 +67,15 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+## "" if all components of [param stored] are within [constant LARGEST]; else a sentence with the
+## first that is not.
+func problem_in(stored: Dictionary) -> String:
+	var problems: PackedStringArray = []
 	for name: String in ["position", "old"]:
 		var place: PackedFloat64Array = stored[name]
 		for number in place:
-			var problem := StateCheck.within(name, number, -LARGEST, LARGEST)
-			if problem:
-				return problem
-	return ""
+			problems.append(StateCheck.within(name, number, -LARGEST, LARGEST))
+	return StateCheck.first(problems)
 
 
 ## Puts back what [method to_dictionary] has told.
@@ -67,7 +83,4 @@ func from_dictionary(stored: Dictionary) -> void:
 	var place: PackedFloat64Array = stored["position"]
 	var old_place: PackedFloat64Array = stored["old"]
 	copies = stored["copies"]
-	position = Vec2.new(old_place[0], old_place[1])
-	value = position.to_vector2()
-	remember()
-	move_to(place[0], place[1])
+	remember_and_move(Vec2.new(old_place[0], old_place[1]), Vec2.new(place[0], place[1]))

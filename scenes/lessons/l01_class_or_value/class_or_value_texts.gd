@@ -1,5 +1,6 @@
 class_name ClassOrValueTexts
-## The sentences and lines of code of the lesson on objects and values, step by step.
+extends RefCounted
+## The sentences of the lesson on objects and values, step by step.
 
 
 ## One sentence a step, translated.
@@ -19,20 +20,8 @@ static func sentences(copies: bool) -> PackedStringArray:
 	]
 
 
-## The lines of all steps up to [param step], counted from 0.
-static func lines(copies: bool, step: int) -> PackedStringArray:
-	var found: PackedStringArray = ["{position} = Vec2.new( {x} , {y} )", "{value} = Vector2(…)"]
-	if step >= 1:
-		found.append("{old} = {position}.copy()" if copies else "{old} = {position}")
-		found.append("{old_value} = {value}")
-	if step >= 2:
-		found.append("{position} {position_pair}   {old} {old_pair}")
-		found.append("{value} {value_pair}   {old_value} {old_value_pair}")
-	return found
-
-
-## What is said of Vec2 and of Vector2 at [param step], counted from 0: how many things their names
-## stand for.
+## What is said of the Vec2 and of the Vector2 at [param step], counted from 0: how many names it
+## has, and whether they share one object.
 static func sharing(is_shared: bool, step: int) -> PackedStringArray:
 	if step == 0:
 		return [_translate("one name, one object"), _translate("one name, one value")]

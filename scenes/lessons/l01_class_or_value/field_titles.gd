@@ -1,27 +1,56 @@
 @tool
 class_name FieldTitles
 extends BoardPart
-## Names the two fields of the lesson, and says whether their two names stand for one thing or two.
+## Names the two fields of the lesson, and says whether the two names in each share one thing.
+
+## The origin of the field of the Vec2, in units of the plane.
+@export var left := Vector2.ZERO:
+	get:
+		return _left.to_vector2()
+	set(value):
+		_left = Vec2.from_vector2(value)
+		show_change()
+## The origin of the field of the Vector2.
+@export var right := Vector2.ZERO:
+	get:
+		return _right.to_vector2()
+	set(value):
+		_right = Vec2.from_vector2(value)
+		show_change()
+## What is said of the names of the Vec2, as it is to be read; nothing where it is empty.
+@export var left_sentence := "":
+	set(value):
+		left_sentence = value
+		queue_redraw()
+## The same for the Vector2.
+@export var right_sentence := "":
+	set(value):
+		right_sentence = value
+		queue_redraw()
 
 var _left := Vec2.new()
 var _right := Vec2.new()
-var _sharing: PackedStringArray = []
 
 
-## The fields have their origins at [param left] and [param right]; [param sharing] says of each how
-## many things its names stand for.
-func show_fields(left: Vec2, right: Vec2, sharing: PackedStringArray) -> void:
-	_left = left.copy()
-	_right = right.copy()
-	_sharing = sharing
-	queue_redraw()
+## The fields have their origins at [param left_origin] and [param right_origin]; [param sentences],
+## translated, say of each how many things its names share.
+func show_fields(left_origin: Vec2, right_origin: Vec2, sentences: PackedStringArray) -> void:
+	_left = left_origin.copy()
+	_right = right_origin.copy()
+	left_sentence = sentences[0]
+	right_sentence = sentences[1]
+	show_change()
+
+
+func spanned_points() -> Array[Vec2]:
+	return [_left, _right]
 
 
 func _draw() -> void:
 	var middle := board.size.x / 2.0
 	draw_line(Vector2(middle, 0.0), Vector2(middle, board.size.y), Palette.AXIS, 1.5)
-	_write(middle / 2.0, tr("Vec2: an object"), _sharing[0], Palette.Role.A)
-	_write(middle * 1.5, tr("Vector2: a value"), _sharing[1], Palette.Role.B)
+	_write(middle / 2.0, tr("Vec2: an object"), left_sentence, Palette.Role.A)
+	_write(middle * 1.5, tr("Vector2: a value"), right_sentence, Palette.Role.B)
 	for origin: Vec2 in [_left, _right]:
 		draw_circle(board.to_screen(origin), 4.0, Palette.AXIS, true, -1.0, true)
 

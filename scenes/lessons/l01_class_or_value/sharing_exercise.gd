@@ -1,6 +1,6 @@
 class_name SharingExercise
 extends Exercise
-## Asks what stands in one name after the other was changed: objects are shared, values are not.
+## Asks what one name holds after the other was changed: objects are shared, values are not.
 
 ## What is given a second name.
 enum Kind { VEC2, VECTOR2, COPY }

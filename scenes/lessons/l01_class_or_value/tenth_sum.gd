@@ -1,6 +1,6 @@
 class_name TenthSum
-## Adds 0.1 again and again, with 64 bits and with 32: neither knows 0.1 exactly, and every
-## addition rounds.
+## Adds 0.1 again and again, with 64 bits and with 32: neither holds 0.1 exactly, and every addition
+## rounds.
 
 
 ## The x of a Vec2 after [param count] additions of 0.1.
@@ -19,6 +19,6 @@ static func with_32_bits(count: int) -> float:
 	return sum.x
 
 
-## What comes out on paper.
+## The exact sum of [param count] tenths.
 static func exact(count: int) -> float:
 	return count / 10.0

@@ -10,7 +10,7 @@ enum Kind { PUT_BACK, FLIP, SHORTEST }
 const _TRIPLES: Array[Vector3i] = [Vector3i(4, 3, 5), Vector3i(12, 5, 13), Vector3i(15, 8, 17)]
 
 var _kind: Kind
-# Each kind uses what it needs of these.
+# Each kind uses some of these.
 var _floor_y: float
 var _radius: float
 var _velocity: Vec2
@@ -49,7 +49,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> BounceExercise:
 ## Puts what is asked about on the board of [param model].
 func set_up(model: EasyBounceModel) -> void:
 	if model.is_wall:
-		EasyBounceSetup.swap_axes(model)
+		model.swap_axes()
 	model.rewind()
 	model.tilt_degrees = 0.0
 	model.pivot = Vec2.new()

@@ -1,14 +1,14 @@
 class_name EasyBounceDrawing
 extends Node2D
-## The drawing of the lesson on the easy bounce: what the easy program does in a frame, and what is
-## right, step by step.
+## The drawing of the lesson on the easy bounce, step by step: what the easy program does in a frame
+## beside what is right.
 
-# Pixels of the dashed line from which the tilt is measured.
+# Length, in units, of the dashed line from which the tilt is measured.
 const _LEVEL_LENGTH := 110.0
 
 var _model: EasyBounceModel
 var _moved: Ball
-# What both ways make of the moved ball, and whether that is the same.
+# What both programs make of the moved ball, and whether that is the same.
 var _easy: Ball
 var _right: Ball
 var _are_same := true
@@ -66,7 +66,7 @@ func _hide_all() -> void:
 func _lay_line() -> void:
 	var line := _model.line()
 	_line.lay(line.start, line.end)
-	# On the side where the perpendicular is not.
+	# On the side away from the perpendicular.
 	var side := -signf(_model.tilt_degrees)
 	var level := Vec2.unit_degrees(90.0 if _model.is_wall else 180.0).scaled(side)
 	_level.lay(_model.pivot, _model.pivot.plus(level.scaled(_LEVEL_LENGTH)))
@@ -80,22 +80,22 @@ func _show_move() -> void:
 
 
 func _show_distances() -> void:
-	var centre := _moved.position
-	var foot := _model.shortest_foot(centre)
+	var center := _moved.position
+	var foot := _model.shortest_foot(center)
 	# The side of the straight line on which the perpendicular lies.
 	var beside := Vec2.new(0.0, 1.0) if _model.is_wall else Vec2.new(-1.0, 0.0)
 	if _model.tilt_degrees < 0.0:
 		beside = beside.negated()
 	_shortest.visible = true
-	_shortest.label = NumberText.short(_model.shortest_distance(centre))
-	_shortest.lay(centre, foot, beside)
+	_shortest.label = NumberText.short(_model.shortest_distance(center))
+	_shortest.lay(center, foot, beside)
 	if _are_same:
 		return
 	_shortest.label = tr("shortest %s") % _shortest.label
 	_straight.visible = true
-	_straight.label = tr("easy %s") % NumberText.short(_model.straight_distance(centre))
-	_straight.lay(centre, _model.straight_foot(centre), beside.negated())
-	_corner.measure(foot, centre.minus(foot), _model.line().along())
+	_straight.label = tr("easy %s") % NumberText.short(_model.straight_distance(center))
+	_straight.lay(center, _model.straight_foot(center), beside.negated())
+	_corner.measure(foot, center.minus(foot), _model.line().along())
 
 
 func _show_put_back() -> void:

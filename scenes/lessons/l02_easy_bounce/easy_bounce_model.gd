@@ -1,20 +1,22 @@
 class_name EasyBounceModel
-extends RefCounted
-## A ball and a line that may be tilted; each frame is handled twice, by the easy program and by the
-## normal.
+extends LessonModel
+## A ball and a line that may be tilted. Two programs handle each frame: the easy one looks at one
+## component alone, the right one uses the normal.
 ##
-## The ball as it stands in frame 0, before the program reacts, is the state. The frames before are
-## its straight flight, the frames after are run by the programs. Velocities are in pixels per
+## The state is the ball in frame 0, after it has moved and before a program reacts. In the frames
+## before it flies straight; the frames after are run by the programs. Velocities are in pixels per
 ## frame.
 
-## The line is never tilted further than this, to either side, in degrees.
+## The line is tilted by at most this, in degrees, to either side.
 const STEEPEST := 45.0
-## Pixels from the middle of the drawn line to its ends; collisions take it as infinite.
+## Pixels from the middle of the drawn line to its ends; for collisions it has no ends.
 const HALF_LENGTH := 160.0
-## So many frames are shown before frame 0, unless the ball would overlap there already.
+## How many frames are shown before frame 0; fewer where the ball would overlap the line there.
 const FRAMES_BEFORE := 4
-## So many frames are shown after frame 0.
+## How many frames are shown after frame 0.
 const FRAMES_AFTER := 4
+## The largest radius of the ball, in pixels.
+const LARGEST_RADIUS := 200.0
 
 ## The ball in frame 0, after its move; pixels, and pixels per frame.
 var ball := Ball.new(Vec2.new(0.0, 4.0), 60.0, Vec2.new(20.0, 48.0))
@@ -26,7 +28,7 @@ var tilt_degrees := 0.0
 ## False: a floor below the ball. True: a wall to its right.
 var is_wall := false
 
-# Frames since frame 0, with the part of a frame that has passed in slow motion.
+# Frames since frame 0; in slow motion a part of a frame counts, too.
 var _elapsed := 0.0
 
 
@@ -45,7 +47,7 @@ func line_at(point: Vec2) -> float:
 	return pivot.y + (point.x - pivot.x) * slope
 
 
-## The distance as the easy program has it: straight down to the floor, or straight right to the
+## The distance that the easy program measures: straight down to the floor, or straight right to the
 ## wall; in pixels.
 func straight_distance(point: Vec2) -> float:
 	return line_at(point) - (point.x if is_wall else point.y)
@@ -57,7 +59,7 @@ func straight_foot(point: Vec2) -> Vec2:
 	return Vec2.new(at, point.y) if is_wall else Vec2.new(point.x, at)
 
 
-## The distance that counts: the shortest one, along the perpendicular; in pixels.
+## The right distance: the shortest one, along the perpendicular; in pixels.
 func shortest_distance(point: Vec2) -> float:
 	return LineDistance.signed_distance(point, line())
 
@@ -74,8 +76,8 @@ func easy_detects(moved: Ball) -> bool:
 	return AxisBounce.hits_floor(moved, line_at(moved.position))
 
 
-## What the easy program makes of the ball [param moved]: detect, put back, flip. It flips only what
-## comes towards the line.
+## What the easy program makes of the ball [param moved]: detect, put back, flip. It flips the
+## velocity only where the ball comes towards the line.
 func easy_result(moved: Ball) -> Ball:
 	var result := moved.copy()
 	if not easy_detects(moved):
@@ -100,8 +102,8 @@ func right_result(moved: Ball) -> Ball:
 	return result
 
 
-## Pixels by which the easy distance of [param moved] differs from the exact shortest one. Exact is
-## the projection of the difference vector on the line's normal to about 100 bits.
+## Pixels by which the easy distance of [param moved] differs from the exact shortest one, which is
+## the projection of the difference vector on the line's normal, to about 100 bits.
 func distance_error(moved: Ball) -> float:
 	return exact_error(straight_distance(moved.position), moved.position)
 
@@ -125,6 +127,29 @@ func velocity_error(moved: Ball) -> float:
 	return easy_result(moved).velocity.distance_to(right_result(moved).velocity)
 
 
+# The line.
+
+
+## The tilt of the line when its start or, with [param is_start] false, its end is dragged to
+## [param point]: whole degrees, within -STEEPEST..STEEPEST.
+func tilt_toward(point: Vec2, is_start: bool) -> float:
+	var along := point.minus(pivot)
+	if is_start:
+		along.scale(-1.0)
+	var level := Vec2.unit_degrees(90.0 if is_wall else 180.0)
+	var degrees := roundf(Vec2.rad_to_deg(level.angle_to(along)))
+	return clampf(degrees, -STEEPEST, STEEPEST)
+
+
+## Makes a wall of the floor or a floor of the wall: x and y change places, so that the picture is
+## mirrored and otherwise the same.
+func swap_axes() -> void:
+	is_wall = not is_wall
+	tilt_degrees = -tilt_degrees
+	for vector: Vec2 in [ball.position, ball.velocity, pivot]:
+		vector.set_xy(vector.y, vector.x)
+
+
 # The frames.
 
 
@@ -144,7 +169,7 @@ func rewind() -> void:
 	_elapsed = 0.0
 
 
-## The ball of the shown frame becomes the ball of frame 0: somebody takes hold of it.
+## The ball of the shown frame becomes the ball of frame 0: the student takes hold of it.
 func take_hold() -> void:
 	ball = moved_ball(frame())
 	rewind()
@@ -183,3 +208,78 @@ func _ball_in_flight(in_frame: int) -> Ball:
 	var there := ball.copy()
 	there.position.add(ball.velocity.scaled(in_frame))
 	return there
+
+
+# The numbers.
+
+
+## Takes the number that has this name in the formula and returns "", or returns its
+## [method number_problem] and changes nothing. A place or velocity is that of the shown frame.
+func enter(name_in_line: String, value: float) -> String:
+	var problem := number_problem(name_in_line, value)
+	if problem:
+		return problem
+	if is_of_moving_ball(name_in_line):
+		take_hold()
+	match name_in_line:
+		"px":
+			ball.position.x = value
+		"py":
+			ball.position.y = value
+		"vx":
+			ball.velocity.x = value
+		"vy":
+			ball.velocity.y = value
+		"r":
+			ball.radius = value
+		"tilt":
+			tilt_degrees = value
+	return ""
+
+
+## Whether the number with this name changes from frame to frame.
+static func is_of_moving_ball(name_in_line: String) -> bool:
+	return name_in_line in ["px", "py", "vx", "vy"]
+
+
+## "" if the number that has this name in the formula may have this value; else a sentence with the
+## value and what is allowed, translated.
+static func number_problem(name_in_line: String, value: float) -> String:
+	var text := NumberText.short(value)
+	if name_in_line == "r" and not (value > 0.0 and value <= LARGEST_RADIUS):
+		return TranslationServer.translate("r must be above 0 and at most 200, not %s.") % text
+	if name_in_line == "tilt" and not absf(value) <= STEEPEST:
+		return TranslationServer.translate("The tilt must be within −45 and 45°, not %s°.") % text
+	return ""
+
+
+## All of it but the frame that is shown, for undo and links.
+func to_dictionary() -> Dictionary:
+	return {
+		"ball":
+		PackedFloat64Array(
+			[ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y, ball.radius]
+		),
+		"pivot": PackedFloat64Array([pivot.x, pivot.y]),
+		"tilt_degrees": tilt_degrees,
+		"is_wall": is_wall,
+	}
+
+
+## "" if radius and tilt are in their ranges; else a sentence from [method number_problem].
+func problem_in(stored: Dictionary) -> String:
+	var numbers: PackedFloat64Array = stored["ball"]
+	var tilt: float = stored["tilt_degrees"]
+	return StateCheck.first([number_problem("r", numbers[4]), number_problem("tilt", tilt)])
+
+
+## Puts back what [method to_dictionary] has told, and goes to frame 0.
+func from_dictionary(stored: Dictionary) -> void:
+	var numbers: PackedFloat64Array = stored["ball"]
+	var middle: PackedFloat64Array = stored["pivot"]
+	var velocity := Vec2.new(numbers[2], numbers[3])
+	ball = Ball.new(Vec2.new(numbers[0], numbers[1]), numbers[4], velocity)
+	pivot.set_xy(middle[0], middle[1])
+	tilt_degrees = stored["tilt_degrees"]
+	is_wall = stored["is_wall"]
+	rewind()

@@ -1,63 +1,58 @@
 class_name EasyBounceReadout
+extends RefCounted
 ## The table of the lesson on the easy bounce: what each step of the easy program gives for the
-## ball, how far that is from right, and how long the call takes; below it the distance by the
+## ball, how far that is from right, and the run time of the call; below it the distance by the
 ## normal.
 
+var _readout: Readout
 
-## Fills [param readout] for the ball [param moved] of [param model].
-static func show_model(readout: Readout, model: EasyBounceModel, moved: Ball) -> void:
+
+## Writes into [param readout].
+func _init(readout: Readout) -> void:
+	_readout = readout
+
+
+## Fills the table for the ball [param moved] of [param model].
+func show_model(model: EasyBounceModel, moved: Ball) -> void:
 	var easy := model.easy_result(moved)
+	var distance := model.straight_distance.bind(moved.position)
+	_show_distance(tr("easy distance"), distance, model.distance_error(moved))
+	_show_vector(
+		tr("easy place"), easy.position, model.position_error(moved), _put_back(model, moved)
+	)
+	_show_vector(
+		tr("easy velocity"), easy.velocity, model.velocity_error(moved), _flip(model, moved)
+	)
+	var by_normal := LineDistance.signed_distance.bind(moved.position, model.line())
+	var shortest: float = by_normal.call()
+	_show_distance(tr("by the normal"), by_normal, model.exact_error(shortest, moved.position))
+
+
+# The calls of the easy program whose run time is measured; each changes a copy of the ball.
+func _put_back(model: EasyBounceModel, moved: Ball) -> Callable:
 	var at := model.line_at(moved.position)
-	var put_back := AxisBounce.put_on_floor.bind(easy.copy(), at)
-	var flip := AxisBounce.flip_y.bind(easy.copy())
+	var ball := model.easy_result(moved)
 	if model.is_wall:
-		put_back = AxisBounce.put_beside_wall.bind(easy.copy(), at)
-		flip = AxisBounce.flip_x.bind(easy.copy())
-	var straight := model.straight_distance(moved.position)
-	_show(
-		readout,
-		[_translate("easy distance"), NumberText.short(straight)],
-		model.distance_error(moved),
-		model.straight_distance.bind(moved.position)
-	)
-	_show(
-		readout,
-		[_translate("easy place"), _pair(easy.position)],
-		model.position_error(moved),
-		put_back
-	)
-	_show(
-		readout,
-		[_translate("easy velocity"), _pair(easy.velocity)],
-		model.velocity_error(moved),
-		flip
-	)
-	_show_right(readout, model, moved)
+		return AxisBounce.put_beside_wall.bind(ball, at)
+	return AxisBounce.put_on_floor.bind(ball, at)
 
 
-static func _show_right(readout: Readout, model: EasyBounceModel, moved: Ball) -> void:
-	var shortest := model.shortest_distance(moved.position)
-	_show(
-		readout,
-		[_translate("by the normal"), NumberText.short(shortest)],
-		model.exact_error(shortest, moved.position),
-		LineDistance.signed_distance.bind(moved.position, model.line())
-	)
+func _flip(model: EasyBounceModel, moved: Ball) -> Callable:
+	var ball := model.easy_result(moved)
+	return AxisBounce.flip_x.bind(ball) if model.is_wall else AxisBounce.flip_y.bind(ball)
 
 
-static func _show(
-	readout: Readout, title_and_value: PackedStringArray, error: float, way: Callable
-) -> void:
-	var time := NumberText.short(CallTimer.nanoseconds(way), 2)
-	var texts := title_and_value.duplicate()
-	texts.append(NumberText.short(absf(error), 3))
-	texts.append(_translate("%s ns") % time)
-	readout.show_texts(title_and_value[0], texts)
+func _show_distance(title: String, way: Callable, error: float) -> void:
+	var distance: float = way.call()
+	_show(title, NumberText.short(distance), error, way)
 
 
-static func _pair(vector: Vec2) -> String:
-	return NumberText.pair(vector.x, vector.y, 3)
+func _show_vector(title: String, vector: Vec2, error: float, way: Callable) -> void:
+	_show(title, NumberText.pair(vector.x, vector.y, 3), error, way)
 
 
-static func _translate(text: String) -> String:
-	return TranslationServer.translate(text)
+# The error as it is, not as a power of ten: here it is seen on the board.
+func _show(title: String, value: String, error: float, way: Callable) -> void:
+	var error_text := NumberText.short(absf(error), 3)
+	var time := _readout.time_text(CallTimer.nanoseconds(way))
+	_readout.show_texts(title, [title, value, error_text, time])

@@ -1,5 +1,6 @@
 class_name EasyBounceTexts
-## The sentences and formula lines of the lesson on the easy bounce, step by step.
+extends RefCounted
+## The sentences of the lesson on the easy bounce, step by step.
 
 ## The steps: what a program does in one frame, and all of it.
 enum Step { MOVE, DETECT, PUT_BACK, FLIP, BOUNCE }
@@ -12,28 +13,12 @@ static func sentences(model: EasyBounceModel) -> PackedStringArray:
 	return _sentences_for_wall() if model.is_wall else _sentences_for_floor()
 
 
-## The formula lines of [param step] for the ball [param moved].
-static func lines(model: EasyBounceModel, moved: Ball, step: int) -> PackedStringArray:
-	var found: PackedStringArray = [
-		"{p} = ( {px} , {py} )     {v} = ( {vx} , {vy} )",
-		"r = {r}     " + _translate("tilt") + " = {tilt}°     " + _translate("frame") + " {frame}",
-	]
-	var wanted: Array[int] = [step]
-	if step == Step.BOUNCE:
-		wanted = [Step.DETECT, Step.PUT_BACK, Step.FLIP]
-	for one in wanted:
-		found.append_array(_easy_lines(model, moved, one))
-		if step != Step.BOUNCE and model.tilt_degrees != 0.0:
-			found.append_array(_right_lines(one))
-	return found
-
-
-## Whether a distance means a hit, in words.
+## What is said behind a distance: whether it means a hit.
 static func hit_text(is_hit: bool) -> String:
 	return _translate("< r: hit") if is_hit else "≥ r"
 
 
-## Whether the velocity matters in [param step]; where it does not, it only crosses the drawing.
+## Whether the velocity matters in [param step]; elsewhere its arrow would only be in the way.
 static func needs_velocity(step: int) -> bool:
 	return step != Step.DETECT and step != Step.PUT_BACK
 
@@ -66,35 +51,6 @@ static func _sentences_for_tilted() -> PackedStringArray:
 		_translate("Flipped the wrong way: the velocity is reflected at the line."),
 		_translate("The easy ball goes astray. Play both, or go frame by frame."),
 	]
-
-
-static func _easy_lines(model: EasyBounceModel, moved: Ball, step: int) -> PackedStringArray:
-	var line_name := _translate("wall") if model.is_wall else _translate("floor")
-	var axis := "x" if model.is_wall else "y"
-	match step:
-		Step.DETECT:
-			var place := "{p_axis}"
-			return [
-				"{easy} %s − %s = {line_at} − %s = {straight} {easy_hit}" % [line_name, axis, place]
-			]
-		Step.PUT_BACK when model.easy_detects(moved):
-			return ["{easy} %s = %s − r = {line_at} − {radius} = {back}" % [axis, line_name]]
-		Step.PUT_BACK:
-			return ["{easy} " + _translate("no hit: it stays where it is")]
-		Step.FLIP:
-			return ["{easy} v = {v_easy}"]
-	return []
-
-
-static func _right_lines(step: int) -> PackedStringArray:
-	match step:
-		Step.DETECT:
-			return ["{right} (P − L) · {n} = {shortest} {right_hit}"]
-		Step.PUT_BACK:
-			return ["{right} P + {depth} {n} = {p_right}"]
-		Step.FLIP:
-			return ["{right} v − 2 (v · {n}) {n} = {v_right}"]
-	return []
 
 
 static func _translate(sentence: String) -> String:

@@ -15,7 +15,7 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 	_keep_from_line(model)
 
 
-# In the corner that neither the line nor the balls need.
+# Stands in the corner into which neither the line nor the balls reach.
 func _keep_from_line(model: EasyBounceModel) -> void:
 	var corner := Control.PRESET_BOTTOM_RIGHT
 	if model.is_wall and model.tilt_degrees < 0.0:

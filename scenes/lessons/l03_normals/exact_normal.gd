@@ -1,10 +1,10 @@
 class_name ExactNormal
-## The unit normal to about 100 bits: what the readout compares both ways with.
+## The unit normal to about 100 bits: the readout compares both ways with it.
 
 
-## How many pixels [param got] is away from the exact (-y, x) / |v|: both components by
-## [ExactProjection], as the projections of the axes' unit vectors on the normal. For a zero v the
-## exact answer is zero.
+## The distance of [param got] from the exact (-y, x) / |v|, in pixels. Each component is compared
+## by [ExactProjection]: it is the projection of the unit vector of its axis on the normal. For a
+## zero v the exact answer is zero.
 static func error_of(got: Vec2, v: Vec2) -> float:
 	var normal := Vec2.new(-v.y, v.x)
 	var x := ExactProjection.error_of_scalar_projection(got.x, Vec2.new(1.0, 0.0), normal)

@@ -54,6 +54,10 @@ static func _random_sign(rng: RandomNumberGenerator) -> int:
 	return 1 if rng.randi_range(0, 1) == 1 else -1
 
 
+func board_state() -> Dictionary:
+	return {"line": PackedFloat64Array([0.0, 0.0, v.x, v.y])}
+
+
 func _ask_normal() -> void:
 	prompt = tr("v = %s. What is its normal n, +90° from v?") % NumberText.pair(v.x, v.y)
 	_ask_for(["nx =", "ny ="], Vec2.new(-v.y, v.x))

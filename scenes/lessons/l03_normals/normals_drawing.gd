@@ -31,25 +31,22 @@ func show_model(model: NormalsModel, step: int) -> void:
 	_lay_mistake(model)
 
 
-## Shows where the line from [param old_start] along [param old_v] was before it was dragged.
-func show_before(old_start: Vec2, old_v: Vec2) -> void:
-	_lay(_old_v, old_start, old_v, true)
-	_lay(_old_normal, old_start, Vec2.new(-old_v.y, old_v.x), true)
+## Shows where the line of [param before] and its normal were; null hides both.
+func show_before(before: NormalsModel) -> void:
+	_old_v.visible = before != null
+	_old_normal.visible = before != null
+	if before:
+		_lay(_old_v, before.start, before.v(), true)
+		_lay(_old_normal, before.start, before.normal(), true)
 
 
-## Forgets where the line was.
-func hide_before() -> void:
-	_old_v.visible = false
-	_old_normal.visible = false
-
-
-# The unit normal stands at the start, the line's drawn normal in its middle.
+# The unit normal begins at the start of the line, the one drawn longer in its middle.
 func _lay_unit(model: NormalsModel, step: int) -> void:
 	var has_normal := model.v().length() > 0.0
 	var is_wrong_normal := model.mistake == NormalsMistakes.WRONG_NORMAL
 	_lay(_unit, model.start, model.unit(), step >= 3 and has_normal and not is_wrong_normal)
 	_unit.keep_label_from(model.end)
-	# The shorter of the two arrows on one another is drawn on top, its name beside both.
+	# Where n is shorter than the unit normal on the same line, n is on top and its name beside both.
 	var is_short := model.v().length() < 1.0
 	_normal.z_index = 1 if is_short else 0
 	_normal.label_place = Arrow.LabelPlace.MIDDLE if is_short else Arrow.LabelPlace.HEAD

@@ -1,10 +1,13 @@
 class_name NormalsMistakes
-## The wrong normals found in student code, by their numbers in the course's list. Only for showing
-## beside the right ones.
+extends RefCounted
+## The wrong normals found in student code, by their numbers in the course's list. They are only
+## shown beside the right ones.
 
-## Numbers of the mistakes that can be switched on.
+## Components swapped, or the sign on the wrong one.
 const WRONG_NORMAL := 9
+## Divided by the length without a test for 0.
 const ZERO_VECTOR := 6
+## The length cut to a whole number before the test for 0.
 const CUT_LENGTH := 7
 
 
@@ -18,7 +21,7 @@ static func wrong_sign(v: Vec2) -> Vec2:
 	return Vec2.new(v.y, -v.x)
 
 
-## Mistake 6: divided by the length without asking whether it is 0. NaN for a zero v.
+## Mistake 6: divided by the length without a test for 0. NaN for a zero v.
 static func unit_without_test(v: Vec2) -> Vec2:
 	var size := v.length()
 	return Vec2.new(-v.y / size, v.x / size)
@@ -31,6 +34,35 @@ static func unit_with_cut_length(v: Vec2) -> Vec2:
 	return v.normal()
 
 
-## What mistake 6 or 7 makes of the unit normal of [param v].
+## What [param mistake], 6 or 7, makes of the unit normal of [param v]; mistake 6 for any other.
 static func wrong_unit(mistake: int, v: Vec2) -> Vec2:
 	return unit_with_cut_length(v) if mistake == CUT_LENGTH else unit_without_test(v)
+
+
+## What the gallery shows.
+static func infos() -> Array[MistakeInfo]:
+	var script := "test_vec2_student_mistakes."
+	return [
+		MistakeInfo.new(
+			WRONG_NORMAL,
+			_translate("signs and order"),
+			_translate("(y, x) is no normal, (y, −x) the opposite."),
+			script + "test_mistake_9_the_normal_with_the_wrong_sign_or_swapped"
+		),
+		MistakeInfo.new(
+			ZERO_VECTOR,
+			_translate("zero vector"),
+			_translate("0 / 0 is NaN. Zero must stay zero."),
+			script + "test_mistake_6_a_zero_vector_normalized_to_nan"
+		),
+		MistakeInfo.new(
+			CUT_LENGTH,
+			_translate("length cut to an integer"),
+			_translate("int(0.5) is 0: short is taken for zero."),
+			script + "test_mistake_7_the_length_cut_to_a_whole_number"
+		),
+	]
+
+
+static func _translate(sentence: String) -> String:
+	return TranslationServer.translate(sentence)

@@ -1,25 +1,48 @@
 class_name NormalsModel
-extends RefCounted
+extends LessonModel
 ## A line from a start to an end, its vector v and the normals of v.
 ##
-## v = (x, y) is end minus start, in pixels. Its normal is (-y, x), whichever way y is drawn.
+## v = (x, y) is end minus start, in pixels. Its normal is (-y, x), no matter which way y is drawn.
 
 ## What a change did to the line.
 enum Change { NONE, MOVED, STRETCHED, TURNED }
 
-## Two directions count as the same when their unit vectors differ by at most this.
+## Two directions count as the same where their unit vectors differ by at most this.
 const SAME_DIRECTION := 1e-9
 
 ## Where the line begins, in pixels.
 var start := Vec2.new()
 ## Where the line ends, in pixels.
 var end := Vec2.new(3.0, 1.0)
-## How many times the unit normal is drawn, so that it can be seen; negative for the other side.
+## The factor by which the unit normal is drawn longer, to be seen; negative for the other side.
 var times := 2.0
 ## False draws y downwards, as on the screen; true upwards. No number depends on it.
 var is_y_up := false
 ## The mistake that is switched on, by its number; 0 for none.
 var mistake := 0
+
+
+## Lays the line from one point to another, in pixels.
+func lay(from: Vec2, to: Vec2) -> void:
+	start = from.copy()
+	end = to.copy()
+
+
+## Takes the number that has this name in the formula. A new start takes the end along: v stays.
+func enter(name_in_line: String, value: float) -> void:
+	var along := v()
+	match name_in_line:
+		"vx":
+			along.x = value
+		"vy":
+			along.y = value
+		"sx":
+			start.x = value
+		"sy":
+			start.y = value
+		"k":
+			times = value
+	end = start.plus(along)
 
 
 ## The vector of the line: end minus start.
@@ -48,12 +71,22 @@ func scaled() -> Vec2:
 	return unit().scaled(times)
 
 
-## The middle of the line, where its normal is drawn.
+## The middle of the line, where the unit normal is drawn [member times] over.
 func middle() -> Vec2:
 	return start.lerped(end, 0.5)
 
 
-## What happened to the line since its vector was [param old_v] and it began at [param old_start].
+## The ends of all that is drawn of the line and its normals.
+func points_to_show() -> Array[Vec2]:
+	var points: Array[Vec2] = [start, end]
+	for arm: Vec2 in [normal(), opposite(), unit()]:
+		points.append(start.plus(arm))
+	if mistake == 0:
+		points.append(middle().plus(scaled()))
+	return points
+
+
+## What has happened to the line since it began at [param old_start] with the vector [param old_v].
 func change_since(old_start: Vec2, old_v: Vec2) -> Change:
 	if v().equals_approx(old_v, 0.0):
 		return Change.NONE if start.equals_approx(old_start, 0.0) else Change.MOVED
@@ -62,7 +95,8 @@ func change_since(old_start: Vec2, old_v: Vec2) -> Change:
 	return Change.TURNED
 
 
-## By how many degrees the line has been turned since its vector was [param old_v], in (-180, 180].
+## The angle by which the line has been turned since its vector was [param old_v], in degrees, in
+## (-180, 180].
 func turned_degrees(old_v: Vec2) -> float:
 	return Vec2.rad_to_deg(old_v.angle_to(v()))
 
@@ -77,6 +111,12 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+## "" if the mistake is one of [NormalsMistakes]; else a sentence with those that are.
+func problem_in(stored: Dictionary) -> String:
+	var number: int = stored["mistake"]
+	return StateCheck.mistake(number, NormalsMistakes.infos())
+
+
 ## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var ends: PackedFloat64Array = stored["line"]
@@ -85,3 +125,10 @@ func from_dictionary(stored: Dictionary) -> void:
 	times = stored["times"]
 	is_y_up = stored["is_y_up"]
 	mistake = stored["mistake"]
+
+
+## A model of its own with the same numbers.
+func copy() -> NormalsModel:
+	var same := NormalsModel.new()
+	same.from_dictionary(to_dictionary())
+	return same

@@ -1,10 +1,10 @@
 class_name NormalsVerdict
 extends VerdictCard
-## Says which way +90 degrees turns on the screen, and what became of the normal when the line was
-## dragged.
+## Says which way +90 degrees turns on the screen, and what a change of the line did to its normal.
 
 
-## Shows the words for [param model] and what changed since [param before]; null where nothing did.
+## Shows the words for [param model] and for what has changed since [param before]; null where
+## nothing has.
 func show_model(model: NormalsModel, before: NormalsModel) -> void:
 	if model.mistake != 0:
 		show_verdict("✗", Palette.Role.WRONG, _mistake_words(model))
@@ -16,7 +16,7 @@ func show_model(model: NormalsModel, before: NormalsModel) -> void:
 		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
 
 
-## Stands where no arrow of [param model] points: v and both normals leave the corner behind v.
+## Stands in the corner behind v, into which neither v nor a normal of [param model] points.
 func stand_behind(model: NormalsModel) -> void:
 	var v := model.v()
 	var points_down := (v.y < 0.0) == model.is_y_up

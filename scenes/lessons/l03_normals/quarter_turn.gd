@@ -5,10 +5,22 @@ extends BoardPart
 
 const _TIP := 13.0
 const _PIECES := 32
-# The tips of both arrows stay free.
+# Shares of the quarter turn between which the arc is drawn: both arrows keep their tips free.
 const _FROM := 0.06
 const _TO := 0.9
 
+## Where the vector begins, in units of the plane. 32 bits; [method lay] keeps all digits.
+@export var tail := Vector2.ZERO:
+	get:
+		return _tail.to_vector2()
+	set(value):
+		lay(Vec2.from_vector2(value), _vector)
+## The vector before the turn, in units of the plane; nothing is drawn for a short one.
+@export var vector := Vector2.ZERO:
+	get:
+		return _vector.to_vector2()
+	set(value):
+		lay(_tail, Vec2.from_vector2(value))
 ## Colour of the arc.
 @export var role := Palette.Role.QUIET
 
@@ -16,11 +28,15 @@ var _tail := Vec2.new()
 var _vector := Vec2.new()
 
 
-## Turns [param vector] about [param tail], in units of the plane.
-func lay(tail: Vec2, vector: Vec2) -> void:
-	_tail = tail.copy()
-	_vector = vector.copy()
-	queue_redraw()
+## Turns the vector [param turned] about its tail [param at], in units of the plane.
+func lay(at: Vec2, turned: Vec2) -> void:
+	_tail = at.copy()
+	_vector = turned.copy()
+	show_change()
+
+
+func spanned_points() -> Array[Vec2]:
+	return [_tail, _tail.plus(_vector), _tail.plus(Vec2.new(-_vector.y, _vector.x))]
 
 
 func _draw() -> void:

@@ -1,6 +1,6 @@
 class_name ProjectionProofDrawing
 extends Node2D
-## The drawing of the proof: both vectors where they were, and where the turn has brought them.
+## The drawing of the proof: both vectors before the turn, and where it has brought them.
 
 ## Pixels from the origin to the arc of beta; less where b is short.
 const _LARGEST_ARC := 60.0
@@ -26,8 +26,8 @@ const _LARGEST_ARC := 60.0
 @onready var _head_turned_b: Handle = %HeadTurnedB
 
 
-## Draws [param model] as far as [param step] and the share of the turn have got.
-func show_model(model: ProjectionProofModel, step: ProjectionProofTexts.Step) -> void:
+## Draws [param model] at [param step] of [ProjectionProofTexts], after the share of the turn.
+func show_model(model: ProjectionProofModel, step: int) -> void:
 	_lay_originals(model)
 	_lay_turned(model)
 	_lay_components(model)
@@ -74,7 +74,7 @@ func _lay_turned(model: ProjectionProofModel) -> void:
 	_head_turned_b.place(b)
 
 
-# a where nothing is turned, a′ where all is; on the way only the dashed arrow has a name.
+# a before the turn, a′ after it; on the way only the dashed arrow has a name.
 static func _label(model: ProjectionProofModel, letter: String) -> String:
 	if model.turned_share == 0.0 or not model.has_direction():
 		return letter

@@ -1,72 +1,95 @@
 class_name ProjectionProofFormula
 extends RefCounted
-## Puts the numbers of the proof into its formula lines.
+## The formula of the proof: its lines, and what each name in them is.
+##
+## e is the unit vector along b.
 
-## What is smaller than this share of the vector is rounding, and shown as 0; the readout tells it.
+## A component smaller than this share of its vector is rounding, and shown as 0; the readout tells
+## how large it is.
 const _ROUNDING := 1e-12
 
 var _formula: Formula
 
 
-## Says to [param formula] what the names in [ProjectionProofTexts] stand for.
+## Writes into [param formula].
 func _init(formula: Formula) -> void:
 	_formula = formula
-	_define_symbols()
-	_formula.define_number("ax", Palette.Role.A, tr("x of a"))
-	_formula.define_number("ay", Palette.Role.A, tr("y of a"))
-	_formula.define_number("bx", Palette.Role.B, tr("x of b"))
-	_formula.define_number("by", Palette.Role.B, tr("y of b"))
-	for name_in_line: String in ["a_x", "a_y", "a_turned_pair"]:
-		_formula.define_number(name_in_line, Palette.Role.A)
-	for name_in_line: String in ["b_x", "b_y", "b_length", "b_turned_pair"]:
-		_formula.define_number(name_in_line, Palette.Role.B)
-	for name_in_line: String in ["cosine", "sine", "cosine_value", "sine_value"]:
-		_formula.define_number(name_in_line, Palette.Role.UNIT)
-	for name_in_line: String in ["beta", "difference"]:
-		_formula.define_number(name_in_line, Palette.Role.INK)
-	_formula.define_number("scalar", Palette.Role.PROJECTION)
 
 
-## Shows the lines of [param step] with the numbers of [param model].
-func show_model(model: ProjectionProofModel, step: ProjectionProofTexts.Step) -> void:
-	for name_in_line: String in ["ax", "a_x"]:
-		_formula.set_number(name_in_line, model.a.x)
-	for name_in_line: String in ["ay", "a_y"]:
-		_formula.set_number(name_in_line, model.a.y)
-	for name_in_line: String in ["bx", "b_x"]:
-		_formula.set_number(name_in_line, model.b.x)
-	for name_in_line: String in ["by", "b_y"]:
-		_formula.set_number(name_in_line, model.b.y)
-	_formula.set_number("b_length", model.b.length())
-	_formula.set_number("cosine", model.cosine())
-	_formula.set_number("sine", model.sine())
-	_show_result("cosine_value", model.cosine())
-	_show_result("sine_value", model.sine())
-	_show_result("scalar", model.dot_with_unit())
-	_show_result("difference", model.x_of_turned_a() - model.dot_with_unit())
-	_formula.set_text("beta", NumberText.short(Vec2.rad_to_deg(model.beta())) + "°")
-	show_turn(model, step)
+## Puts in the numbers of [param model] that stay during the turn; then call [method show_turn].
+func show_model(model: ProjectionProofModel) -> void:
+	_put_both_vectors(model)
+	_put_angle(model)
+	_formula.put_symbol("p", "p", Palette.Role.PROJECTION)
+	_formula.put_result("scalar", model.dot_with_unit(), Palette.Role.PROJECTION)
+	var difference := model.x_of_turned_a() - model.dot_with_unit()
+	_formula.put_result("difference", difference, Palette.Role.INK)
 
 
-## Shows the numbers that change while the drawing turns.
-func show_turn(model: ProjectionProofModel, step: ProjectionProofTexts.Step) -> void:
-	_formula.show_lines(ProjectionProofTexts.lines(model, step))
-	_formula.set_vector("a_turned_pair", _without_rounding(model.turned(model.a)))
-	_formula.set_vector("b_turned_pair", _without_rounding(model.turned(model.b)))
+## Puts in the numbers that change during the turn, and shows the lines of [param step].
+func show_turn(model: ProjectionProofModel, step: int) -> void:
+	var a := _without_rounding(model.turned(model.a))
+	var b := _without_rounding(model.turned(model.b))
+	_formula.put_symbol("a_turned", "a′", Palette.Role.A)
+	_formula.put_symbol("b_turned", "b′", Palette.Role.B)
+	_formula.put_vector("a_turned_pair", a, Palette.Role.A)
+	_formula.put_vector("b_turned_pair", b, Palette.Role.B)
+	_formula.show_lines(_lines(model, step))
 
 
-func _define_symbols() -> void:
-	_formula.define_symbol("a", "a", Palette.Role.A)
-	_formula.define_symbol("b", "b", Palette.Role.B)
-	_formula.define_symbol("a_turned", "a′", Palette.Role.A)
-	_formula.define_symbol("b_turned", "b′", Palette.Role.B)
-	_formula.define_symbol("e", ProjectionProofTexts.UNIT, Palette.Role.UNIT)
-	_formula.define_symbol("p", "p", Palette.Role.PROJECTION)
+# The lines on the angle go when the angle is no longer needed.
+func _lines(model: ProjectionProofModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = ["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"]
+	if not model.has_direction():
+		return found
+	if step < ProjectionProofTexts.Step.TRIANGLE:
+		found.append("β = atan2({b_y}, {b_x}) = {beta}")
+	if step >= ProjectionProofTexts.Step.TURN and step <= ProjectionProofTexts.Step.EXPAND:
+		found.append(_turned_line(model))
+	if step >= ProjectionProofTexts.Step.READ_OFF:
+		found.append(tr("signed length of {p} = {a_turned}.x = {scalar}"))
+	if step >= ProjectionProofTexts.Step.EXPAND:
+		found.append("{a_turned}.x = {a_x}·cos β + {a_y}·sin β")
+	if step >= ProjectionProofTexts.Step.TRIANGLE:
+		found.append("cos β = {b}x / |{b}| = {b_x} / {b_length} = {cosine_value}")
+		found.append("sin β = {b}y / |{b}| = {b_y} / {b_length} = {sine_value}")
+	if step >= ProjectionProofTexts.Step.PUT_IN:
+		found.append("{a_turned}.x = {a_x}·{cosine} + {a_y}·{sine} = {scalar}")
+		found.append("= ({a_x}·{b_x} + {a_y}·{b_y}) / {b_length} = {a} · {e}")
+	if step >= ProjectionProofTexts.Step.COMPARE:
+		found.append("{a_turned}.x − {a} · {e} = {difference}")
+	return found
 
 
-# At the end of a line a negative number needs no parentheses.
-func _show_result(name_in_line: String, value: float) -> void:
-	_formula.set_text(name_in_line, NumberText.short(value))
+# The vectors are called a′ and b′ only at the end of the turn.
+func _turned_line(model: ProjectionProofModel) -> String:
+	if model.turned_share == 1.0:
+		return "{a_turned} = {a_turned_pair}     {b_turned} = {b_turned_pair}"
+	return tr("on the way: {a_turned_pair}     {b_turned_pair}")
+
+
+func _put_both_vectors(model: ProjectionProofModel) -> void:
+	_formula.put_symbol("a", "a", Palette.Role.A)
+	_formula.put_number("ax", model.a.x, Palette.Role.A, tr("x of a"))
+	_formula.put_number("ay", model.a.y, Palette.Role.A, tr("y of a"))
+	_formula.put_number("a_x", model.a.x, Palette.Role.A)
+	_formula.put_number("a_y", model.a.y, Palette.Role.A)
+	_formula.put_symbol("b", "b", Palette.Role.B)
+	_formula.put_number("bx", model.b.x, Palette.Role.B, tr("x of b"))
+	_formula.put_number("by", model.b.y, Palette.Role.B, tr("y of b"))
+	_formula.put_number("b_x", model.b.x, Palette.Role.B)
+	_formula.put_number("b_y", model.b.y, Palette.Role.B)
+	_formula.put_number("b_length", model.b.length(), Palette.Role.B)
+
+
+func _put_angle(model: ProjectionProofModel) -> void:
+	var beta := NumberText.short(Vec2.rad_to_deg(model.beta())) + "°"
+	_formula.put_text("beta", beta, Palette.Role.INK)
+	_formula.put_symbol("e", ProjectionProofTexts.UNIT, Palette.Role.UNIT)
+	_formula.put_number("cosine", model.cosine(), Palette.Role.UNIT)
+	_formula.put_number("sine", model.sine(), Palette.Role.UNIT)
+	_formula.put_result("cosine_value", model.cosine(), Palette.Role.UNIT)
+	_formula.put_result("sine_value", model.sine(), Palette.Role.UNIT)
 
 
 static func _without_rounding(vector: Vec2) -> Vec2:

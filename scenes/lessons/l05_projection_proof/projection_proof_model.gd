@@ -1,15 +1,15 @@
 class_name ProjectionProofModel
-extends RefCounted
+extends LessonModel
 ## Two vectors from the origin that are turned together until the second lies on the x axis.
 ##
-## The turn is by -beta, beta being the angle of b. It can be carried out in part: that is what the
-## drawing shows on its way. Components in units, angles in radians.
+## The turn is by -beta, beta being the angle of b. While it is under way, a share of it is carried
+## out. Components in units, angles in radians.
 
 ## The vector whose shadow is looked for.
 var a := Vec2.new(7.0, 1.0)
 ## The vector on which the shadow falls.
 var b := Vec2.new(8.0, -6.0)
-## How much of the turn by -beta has been carried out, from 0 to 1.
+## The share of the turn by -beta that has been carried out, 0..1; other values are clamped.
 var turned_share := 1.0:
 	set(value):
 		turned_share = clampf(value, 0.0, 1.0)
@@ -60,14 +60,33 @@ func dot_with_unit() -> float:
 	return a.dot(b.normalized())
 
 
-## Takes the a whose head is at [param head] after the share of the turn.
+## Lets a end at [param head].
+func set_a(head: Vec2) -> void:
+	a = head.copy()
+
+
+## Lets b end at [param head].
+func set_b(head: Vec2) -> void:
+	b = head.copy()
+
+
+## Takes the number that has this name in the formula: `ax`, `ay`, `bx` or `by`.
+func enter(name_in_line: String, value: float) -> void:
+	var vector := a if name_in_line[0] == "a" else b
+	if name_in_line[1] == "x":
+		vector.x = value
+	else:
+		vector.y = value
+
+
+## Gives a the value for which its head is at [param head] after the share of the turn.
 func set_turned_a(head: Vec2) -> void:
 	a = head.copy()
 	a.rotate_radians(beta() * turned_share)
 
 
-## Makes b so long that after the share of the turn it reaches the shadow of [param head] on it; its
-## direction stays. A head behind the tail is not taken.
+## Makes b so long that, after the share of the turn, it ends at the foot of the perpendicular from
+## [param head]. Its direction stays; where the foot is behind its tail, b stays as it was.
 func set_reach_of_turned_b(head: Vec2) -> void:
 	var reach := head.scalar_projection(turned(b))
 	if reach > 0.0:
@@ -79,9 +98,16 @@ func x_at_share(share: float) -> float:
 	return _after_share(a, share).x
 
 
-## How far both sides of the proof are apart, in units in the last place.
+## The distance between both sides of the proof, in units in the last place.
 func units_apart() -> float:
 	return LastPlace.units_between(x_of_turned_a(), dot_with_unit())
+
+
+## The heads before and after the whole turn, so that the board does not change during it.
+func points_to_show() -> Array[Vec2]:
+	# A little more than the turned b reaches, so that its label stays clear of that of the axis.
+	var beyond := fully_turned(b).scaled(1.12)
+	return [a, b, fully_turned(a), beyond]
 
 
 ## All of it that the student sets, for undo and links.

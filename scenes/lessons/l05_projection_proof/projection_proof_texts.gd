@@ -1,6 +1,6 @@
 class_name ProjectionProofTexts
 extends RefCounted
-## The sentences and formula lines of the proof, step by step.
+## The sentences of the proof, step by step.
 
 ## The steps, counted from 0.
 enum Step { WANTED, TURN, READ_OFF, EXPAND, TRIANGLE, PUT_IN, COMPARE }
@@ -28,38 +28,7 @@ static func sentences(model: ProjectionProofModel) -> PackedStringArray:
 	]
 
 
-## The formula lines at [param step]. The lines on the angle go when the angle is no longer needed.
-static func lines(model: ProjectionProofModel, step: Step) -> PackedStringArray:
-	var found: PackedStringArray = ["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"]
-	if not model.has_direction():
-		return found
-	if step < Step.TRIANGLE:
-		found.append("β = atan2({b_y}, {b_x}) = {beta}")
-	if step in [Step.TURN, Step.READ_OFF, Step.EXPAND]:
-		found.append(_turned_line(model))
-	if step >= Step.READ_OFF:
-		found.append(_translate("signed length of {p} = {a_turned}.x = {scalar}"))
-	if step >= Step.EXPAND:
-		found.append("{a_turned}.x = {a_x}·cos β + {a_y}·sin β")
-	if step >= Step.TRIANGLE:
-		found.append("cos β = {b}x / |{b}| = {b_x} / {b_length} = {cosine_value}")
-		found.append("sin β = {b}y / |{b}| = {b_y} / {b_length} = {sine_value}")
-	if step >= Step.PUT_IN:
-		found.append("{a_turned}.x = {a_x}·{cosine} + {a_y}·{sine} = {scalar}")
-		found.append("= ({a_x}·{b_x} + {a_y}·{b_y}) / {b_length} = {a} · {e}")
-	if step >= Step.COMPARE:
-		found.append("{a_turned}.x − {a} · {e} = {difference}")
-	return found
-
-
-# The vectors are called a′ and b′ only when they have arrived.
-static func _turned_line(model: ProjectionProofModel) -> String:
-	if model.turned_share == 1.0:
-		return "{a_turned} = {a_turned_pair}     {b_turned} = {b_turned_pair}"
-	return _translate("on the way: {a_turned_pair}     {b_turned_pair}")
-
-
-## In words, translated: both sides with all their digits, and how far they are apart.
+## Both sides with all their digits, and in words how far they are apart, translated.
 static func comparison(model: ProjectionProofModel) -> PackedStringArray:
 	if not model.has_direction():
 		return [_translate("b is zero: no direction, no shadow")]

@@ -40,6 +40,10 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
 	return new(kind, shadowed, onto)
 
 
+func board_state() -> Dictionary:
+	return {"a": PackedFloat64Array([a.x, a.y]), "b": PackedFloat64Array([b.x, b.y])}
+
+
 static func _random_sign(rng: RandomNumberGenerator) -> int:
 	return 1 if rng.randi_range(0, 1) == 1 else -1
 

@@ -2,8 +2,8 @@ extends Lesson
 ## The lesson on position reset and point of impact: where within a frame a ball touches a line.
 
 const _STEP_COUNT := 5
-## A wrong share of the frame larger than this does not make the board smaller.
-const _LARGEST_SHOWN_SHARE := 20.0
+## A wrong fraction of the frame larger than this does not make the board smaller.
+const _LARGEST_SHOWN_FRACTION := 20.0
 
 ## Ready-made situations by their titles (source text): x and y of the old and of the new position,
 ## and the length of the line. The speeds are those of the course's scenes, in pixels per frame.
@@ -24,7 +24,7 @@ var _model := PointOfImpactModel.new()
 var _step := _STEP_COUNT - 1
 var _rng := RandomNumberGenerator.new()
 var _exercise: PointOfImpactExercise
-var _exercise_kind := PointOfImpactExercise.Kind.SHARE
+var _exercise_kind := PointOfImpactExercise.Kind.FRACTION
 var _steps: Steps
 var _formula: PointOfImpactFormula
 var _results: PointOfImpactResults
@@ -211,7 +211,7 @@ func _show_all() -> void:
 	for centre: Vec2 in [_model.old_position, _model.new_position]:
 		points.append(centre.plus(half_radius))
 		points.append(centre.minus(half_radius))
-	if _model.mistake != 0 and absf(_model.share_with_mistake()) < _LARGEST_SHOWN_SHARE:
+	if _model.mistake != 0 and absf(_model.fraction_with_mistake()) < _LARGEST_SHOWN_FRACTION:
 		points.append(_model.position_with_mistake())
 	board.fit(points)
 	_results.measure(_model)

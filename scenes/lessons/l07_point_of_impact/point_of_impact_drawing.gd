@@ -85,7 +85,7 @@ func _name_of_old(model: PointOfImpactModel) -> String:
 func _name_motion(model: PointOfImpactModel) -> void:
 	var share := 0.5
 	if model.impact().hit:
-		share = 0.25 if model.share() > 0.5 else 0.75
+		share = 0.25 if model.fraction() > 0.5 else 0.75
 	var beside := model.motion().normal()
 	if beside.dot(_sideways(model)) > 0.0:
 		beside = beside.negated()

@@ -1,12 +1,12 @@
 class_name PointOfImpactExercise
 extends Exercise
-## Asks for the share t of a frame, or for the point of impact, with fresh numbers.
+## Asks for the fraction t of a frame, or for the point of impact, with fresh numbers.
 ##
 ## The line lies along a Pythagorean triple, and t is a whole number of tenths, so that answers are
 ## short.
 
 ## What is asked for.
-enum Kind { SHARE, POINT }
+enum Kind { FRACTION, POINT }
 
 ## Ways along the normal of a whole frame, in pixels.
 const _WAYS: Array[int] = [40, 50, 80, 100]
@@ -36,8 +36,8 @@ func _init(
 	old_position = line.normal().scaled(old_distance)
 	var along := line.along().normalized().scaled(sideways)
 	new_position = line.normal().scaled(new_distance).plus(along)
-	if kind == Kind.SHARE:
-		_ask_share()
+	if kind == Kind.FRACTION:
+		_ask_fraction()
 	else:
 		_ask_point()
 
@@ -53,13 +53,13 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExerci
 	return new(kind, old_distance, old_distance - way, its_radius, sideways)
 
 
-func _ask_share() -> void:
+func _ask_fraction() -> void:
 	var sentence := tr("In one frame the distance goes from %s to %s; the radius is %s. What is t?")
 	prompt = sentence % [_short(_old_distance), _short(_new_distance), _short(radius)]
 	answer_titles = ["t ="]
-	right_answer = [PointOfImpact.share(_old_distance, _new_distance, radius)]
+	right_answer = [PointOfImpact.fraction(_old_distance, _new_distance, radius)]
 	for number in _sentences():
-		_add([_share_with(number)], _sentences()[number])
+		_add([_fraction_with(number)], _sentences()[number])
 	var way := _old_distance - _new_distance
 	_add([_old_distance / way], tr("The radius is missing: a = old − r."))
 	_add([way / (_old_distance - radius)], tr("That is b / a: above 1, so not in this frame."))
@@ -83,23 +83,24 @@ func _ask_point() -> void:
 		]
 	)
 	answer_titles = ["x =", "y ="]
-	var time := PointOfImpact.share(_old_distance, _new_distance, radius)
-	right_answer = _components(old_position.plus(motion.scaled(time)))
+	var fraction := PointOfImpact.fraction(_old_distance, _new_distance, radius)
+	right_answer = _components(old_position.plus(motion.scaled(fraction)))
 	for number in _sentences():
-		var place := old_position.plus(motion.scaled(_share_with(number)))
+		var place := old_position.plus(motion.scaled(_fraction_with(number)))
 		_add(_components(place), _sentences()[number])
 	_add(
-		_components(new_position.plus(motion.scaled(time))), tr("t v is added to old, not to new.")
+		_components(new_position.plus(motion.scaled(fraction))),
+		tr("t v is added to old, not to new.")
 	)
-	_add(_components(motion.scaled(time)), tr("That is t v alone: old is missing."))
+	_add(_components(motion.scaled(fraction)), tr("That is t v alone: old is missing."))
 	_add(_components(new_position), tr("That is new: it is behind the line already."))
 	var reset := Ball.new(new_position, radius)
 	PositionReset.reset(reset, line)
 	_add(_components(reset.position), tr("That is the position reset: it is not on the path."))
 
 
-func _share_with(number: int) -> float:
-	return PointOfImpactMistakes.share(number, _old_distance, _new_distance, radius)
+func _fraction_with(number: int) -> float:
+	return PointOfImpactMistakes.fraction(number, _old_distance, _new_distance, radius)
 
 
 func _sentences() -> Dictionary[int, String]:

@@ -29,8 +29,8 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 	_formula.set_number("r_value", model.radius)
 	_formula.set_number("a", model.way_to_contact())
 	_formula.set_number("b", model.way_of_frame())
-	_formula.set_text("t", NumberText.short(model.share()))
-	_formula.set_text("wrong_t", NumberText.short(model.share_with_mistake()))
+	_formula.set_text("t", NumberText.short(model.fraction()))
+	_formula.set_text("wrong_t", NumberText.short(model.fraction_with_mistake()))
 	_put_results(model)
 
 

@@ -1,6 +1,6 @@
 class_name PointOfImpactMistakes
 extends RefCounted
-## The wrong shares of the bug gallery. The right one is [PointOfImpact].
+## The wrong fractions of the bug gallery. The right one is [PointOfImpact].
 
 ## Divides by the new distance instead of the way of the frame.
 const OVER_NEW := 15
@@ -8,21 +8,21 @@ const OVER_NEW := 15
 const UNSIGNED := 16
 ## Believes every t, also beyond 0..1 and where b is 0.
 const NOT_LIMITED := 17
-## Computes the time from the new position and adds it to the old one.
+## Computes the fraction from the new position and adds it to the old one.
 const FROM_NEW := 20
 
 
-## What the mistake with this number takes for the share of the frame until the contact; the right
-## t = a / b, not limited, for 0. Infinite or NaN where it divides by 0.
-static func share(number: int, old_distance: float, new_distance: float, radius: float) -> float:
+## What the mistake with this number takes for the fraction of the frame until the contact; the
+## right t = a / b, not limited, for 0. Infinite or NaN where it divides by 0.
+static func fraction(number: int, old_distance: float, new_distance: float, radius: float) -> float:
 	match number:
 		OVER_NEW:
 			return (old_distance - radius) / new_distance
 		UNSIGNED:
-			return PointOfImpact.share(absf(old_distance), absf(new_distance), radius)
+			return PointOfImpact.fraction(absf(old_distance), absf(new_distance), radius)
 		FROM_NEW:
 			return (new_distance - radius) / (old_distance - new_distance)
-	return PointOfImpact.share(old_distance, new_distance, radius)
+	return PointOfImpact.fraction(old_distance, new_distance, radius)
 
 
 ## What the gallery shows.

@@ -43,8 +43,8 @@ func way_of_frame() -> float:
 
 
 ## t = a / b, not limited; infinite or NaN for b = 0.
-func share() -> float:
-	return PointOfImpact.share(old_distance(), new_distance(), radius)
+func fraction() -> float:
+	return PointOfImpact.fraction(old_distance(), new_distance(), radius)
 
 
 ## The impact in this frame, or why there is none.
@@ -83,19 +83,19 @@ func error_of(position: Vec2) -> float:
 
 
 ## t as the mistake that is switched on has it; the right one where none is.
-func share_with_mistake() -> float:
-	return PointOfImpactMistakes.share(mistake, old_distance(), new_distance(), radius)
+func fraction_with_mistake() -> float:
+	return PointOfImpactMistakes.fraction(mistake, old_distance(), new_distance(), radius)
 
 
 ## Where the mistake that is switched on puts the ball; not finite where it divides by 0.
 func position_with_mistake() -> Vec2:
-	return old_position.plus(motion().scaled(share_with_mistake()))
+	return old_position.plus(motion().scaled(fraction_with_mistake()))
 
 
 ## Whether the mistake that is switched on makes a difference: another t, or one that is taken where
 ## there is no impact.
 func shows_mistake() -> bool:
-	return share_with_mistake() != share() or frame_case() != Case.IN_FRAME
+	return fraction_with_mistake() != fraction() or frame_case() != Case.IN_FRAME
 
 
 ## Makes the frame's motion this long and keeps old position and direction. "" if that can be; else

@@ -36,7 +36,9 @@ static func lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 ## What was found, in two or three lines, translated.
 static func verdict(model: PointOfImpactModel) -> PackedStringArray:
 	var words := _case_words(model.frame_case())
-	words[0] = words[0] % NumberText.short(model.share()) if words[0].contains("%s") else words[0]
+	words[0] = (
+		words[0] % NumberText.short(model.fraction()) if words[0].contains("%s") else words[0]
+	)
 	if model.mistake != 0:
 		words.append(_mistake_words(model))
 	return words
@@ -58,12 +60,12 @@ static func _case_words(frame_case: PointOfImpactModel.Case) -> PackedStringArra
 
 
 static func _mistake_words(model: PointOfImpactModel) -> String:
-	var wrong := model.share_with_mistake()
+	var wrong := model.fraction_with_mistake()
 	if not model.position_with_mistake().is_finite():
 		return _translate("the mistake says t = %s: ball lost") % NumberText.short(wrong)
 	if not model.shows_mistake():
 		return _translate("the mistake changes nothing here")
-	if wrong == model.share():
+	if wrong == model.fraction():
 		return _translate("the mistake takes this t all the same")
 	return _translate("the mistake says t = %s") % NumberText.short(wrong)
 

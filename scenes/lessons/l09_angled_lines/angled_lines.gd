@@ -39,6 +39,7 @@ func start() -> void:
 	_player.stepped.connect(func(is_on: bool) -> void: _drawing.follow_step(_model, is_on))
 	_player.advanced.connect(_show_moment)
 	_player.turned.connect(_show_moment)
+	_player.refused.connect(noticed.emit)
 	_connect_board()
 	_connect_panel(formula)
 	_panel.ask()
@@ -130,7 +131,7 @@ func _act(action: StringName) -> void:
 
 
 func _point_gravity(direction: Vec2) -> void:
-	_model.point_gravity(direction)
+	_problem = _model.point_gravity(direction)
 	_finish()
 
 
@@ -170,7 +171,7 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 
 func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppedWorld.Method)
+	_model.set_method(place as SteppingMethods.Method)
 	_finish()
 
 

@@ -47,7 +47,9 @@ func show_all(model: AngledLinesModel) -> void:
 ## Trails begin anew where the balls are.
 func clear_trails(model: AngledLinesModel) -> void:
 	_trails.begin(model.world)
-	_wrong_trails.begin(model.wrong_world if model.wrong_world else SteppedWorld.new())
+	_wrong_trails.begin(
+		model.wrong_world if model.wrong_world else SteppedWorld.new(WholeFrameMover.new())
+	)
 
 
 ## Shows the lines of [param model] and its gravity.

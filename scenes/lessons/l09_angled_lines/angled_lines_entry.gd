@@ -8,7 +8,7 @@ const _BOUNCINESSES: Array[float] = [1.0, 0.8, 0.5, 0.0]
 ## Takes the next of the usual bouncinesses.
 static func take_next_bounciness(model: AngledLinesModel) -> void:
 	var place := _BOUNCINESSES.find(model.world.surroundings.bounciness)
-	model.set_bounciness(_BOUNCINESSES[(place + 1) % _BOUNCINESSES.size()])
+	Refusal.push(model.set_bounciness(_BOUNCINESSES[(place + 1) % _BOUNCINESSES.size()]))
 
 
 ## Changes [param model] by the number's name in [AngledLinesTexts]. "" or one sentence with the

@@ -3,7 +3,7 @@ extends RefCounted
 ## What a link to the lesson on angled lines holds: the situation that was picked, and what is
 ## different from its start. The past and the counters stay behind.
 
-## The ways of stepping by their words, in the order of [enum SteppedWorld.Method].
+## The ways of stepping by their words, in the order of [enum SteppingMethods.Method].
 const METHODS: PackedStringArray = [
 	"position_reset", "point_of_impact", "whole_frame", "event_world"
 ]
@@ -58,7 +58,7 @@ static func base(first: Dictionary, wanted: Dictionary) -> Dictionary:
 static func problem_of(linked: Dictionary) -> String:
 	var method: String = linked["method"]
 	var mistake: int = linked["mistake"]
-	var is_exact := method == METHODS[SteppedWorld.Method.EVENT_WORLD]
+	var is_exact := method == METHODS[SteppingMethods.Method.EVENT_WORLD]
 	var infos: Array[MistakeInfo] = []
 	var scene: int = linked["scene"]
 	var selected: int = linked["selected"]
@@ -158,7 +158,7 @@ static func _problem_of_balls(linked: Dictionary) -> String:
 
 # A lost ball is brought back to its start: that must not be lost itself.
 static func _problem_of_starts(starts: Array[PackedFloat64Array]) -> String:
-	var world := SteppedWorld.new()
+	var world := SteppedWorld.new(WholeFrameMover.new())
 	var balls: Array[Ball] = []
 	for start in starts:
 		balls.append(Ball.new(Vec2.new(start[0], start[1]), 1.0, Vec2.new(start[2], start[3])))

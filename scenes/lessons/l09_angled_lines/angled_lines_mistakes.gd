@@ -46,7 +46,7 @@ class FullGravityMover:
 		ball.position = impact.position
 		ball.velocity.add(gravity.scaled(seconds))
 		bounce(ball, impact, surroundings.bounciness, bounces)
-		move_under(Vec2.new(), ball, seconds * (1.0 - impact.time), surroundings, bounces)
+		move_under(Vec2.new(), ball, seconds * (1.0 - impact.fraction), surroundings, bounces)
 		return bounces
 
 

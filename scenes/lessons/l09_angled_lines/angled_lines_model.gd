@@ -15,11 +15,11 @@ const MOST_LINES := 60
 const USUAL_GRAVITY := 300.0
 
 ## The world that is right as far as [member method] is.
-var world := SteppedWorld.new()
+var world := SteppedWorld.new(WholeFrameMover.new())
 ## The world with the mistake; null while none is switched on.
 var wrong_world: SteppedWorld
 ## How a frame is stepped.
-var method := SteppedWorld.Method.WHOLE_FRAME
+var method := SteppingMethods.Method.WHOLE_FRAME
 ## Number of the mistake that is switched on, 0 for none.
 var mistake := 0
 ## The ready-made situation that was picked last, 0 to 9.
@@ -30,6 +30,8 @@ var selected := 0
 var last_bounce: BounceRecord
 ## In the event world any moment can be gone to; null in the other ways of stepping.
 var timeline: EventTimeline
+## What the latest step, forward or back, was refused with; "" if it was not.
+var refusal := ""
 
 var _history := StepHistory.new()
 var _starts := BallStarts.new()
@@ -69,9 +71,9 @@ func take(other: SteppedWorld) -> void:
 
 ## Switches to the way of stepping [param new_method]. All mistakes are made in stepping: in the
 ## event world none is left.
-func set_method(new_method: SteppedWorld.Method) -> void:
+func set_method(new_method: SteppingMethods.Method) -> void:
 	method = new_method
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		mistake = 0
 	_begin()
 
@@ -80,30 +82,33 @@ func set_method(new_method: SteppedWorld.Method) -> void:
 func set_mistake(number: int) -> void:
 	mistake = number
 	if number:
-		method = SteppedWorld.Method.WHOLE_FRAME
+		method = SteppingMethods.Method.WHOLE_FRAME
 		set_up(AngledLinesMistakes.SCENES[number])
 	else:
 		_begin()
 
 
-## One frame on.
+## One frame on; see [member refusal].
 func step() -> void:
 	if timeline:
-		go_to(timeline.time + FRAME)
+		refusal = go_to(timeline.time + FRAME)
 		return
 	_history.remember(_worlds())
+	refusal = ""
 	for some in _worlds():
-		some.step(FRAME)
+		var problem := some.step(FRAME)
+		refusal = refusal if refusal else problem
 	for record in world.latest_bounces:
 		if record.ball_index == selected:
 			last_bounce = record
 
 
-## One frame back, to the last bit. False where nothing older is known.
+## One frame back, to the last bit; see [member refusal]. False where nothing older is known.
 func step_back() -> bool:
+	refusal = ""
 	if timeline:
 		var has_past := timeline.time > 0.0
-		go_to(maxf(timeline.time - FRAME, 0.0))
+		refusal = go_to(maxf(timeline.time - FRAME, 0.0))
 		return has_past
 	last_bounce = null
 	return _history.go_back(_worlds())
@@ -136,9 +141,9 @@ func set_gravity(gravity: Vec2) -> String:
 
 
 ## Gravity along [param direction] as strong as it was, or as usual where there was none.
-func point_gravity(direction: Vec2) -> void:
+func point_gravity(direction: Vec2) -> String:
 	var strength := world.surroundings.gravity.length()
-	set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
+	return set_gravity(direction.scaled(strength if strength > 0.0 else USUAL_GRAVITY))
 
 
 ## Takes the bounciness C.
@@ -211,10 +216,10 @@ func from_dictionary(stored: Dictionary) -> void:
 	var stored_world: Dictionary = stored["world"]
 	scene = stored["scene"]
 	var stored_method: int = stored["method"]
-	method = stored_method as SteppedWorld.Method
+	method = stored_method as SteppingMethods.Method
 	mistake = stored["mistake"]
 	selected = stored["selected"]
-	WorldState.put(stored_world, world)
+	Refusal.push(WorldState.put(stored_world, world))
 	_starts.take(world)
 	var numbers: PackedFloat64Array = stored["first"]
 	_starts.put(numbers)
@@ -223,7 +228,7 @@ func from_dictionary(stored: Dictionary) -> void:
 
 # From here on energy is compared and the past is counted.
 func _begin() -> void:
-	world.mover = SteppedWorld.mover_of(method)
+	world.mover = SteppingMethods.mover_of(method)
 	wrong_world = null
 	if mistake:
 		wrong_world = world.copy()
@@ -232,7 +237,7 @@ func _begin() -> void:
 	last_bounce = null
 	_first_energy = world.energy()
 	timeline = null
-	if method == SteppedWorld.Method.EVENT_WORLD:
+	if method == SteppingMethods.Method.EVENT_WORLD:
 		timeline = EventTimeline.new(world)
 
 

@@ -75,6 +75,6 @@ func ask() -> void:
 
 func _show_comparison() -> void:
 	_readout.show_headings(AngledLinesTexts.headings(_comparison.frames()))
-	for method: int in SteppedWorld.Method.size():
-		var way := method as SteppedWorld.Method
+	for method: int in SteppingMethods.Method.size():
+		var way := method as SteppingMethods.Method
 		_readout.show_texts(str(method), AngledLinesTexts.comparison(_comparison, way))

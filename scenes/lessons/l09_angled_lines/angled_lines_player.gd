@@ -9,6 +9,8 @@ signal stepped(is_forward: bool)
 signal advanced
 ## Playing has begun or ended.
 signal turned
+## A ball could not be moved to the end of the frame; the sentence says why.
+signal refused(problem: String)
 
 # More frames than this are not made at once: on a slow machine time rather runs slower.
 const _MOST_AT_ONCE := 4
@@ -73,3 +75,5 @@ func _step(is_forward: bool) -> void:
 		stepped.emit(true)
 	elif _model.step_back():
 		stepped.emit(false)
+	if _model.refusal:
+		refused.emit(_model.refusal)

@@ -98,10 +98,10 @@ static func _fill(
 	bounciness: float,
 	balls: Array[Ball]
 ) -> void:
-	world.surroundings.set_segments(_segments(lines))
-	world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y))
-	world.surroundings.set_bounciness(bounciness)
-	world.set_balls(balls)
+	Refusal.push(world.surroundings.set_segments(_segments(lines)))
+	Refusal.push(world.surroundings.set_gravity(Vec2.new(gravity.x, gravity.y)))
+	Refusal.push(world.surroundings.set_bounciness(bounciness))
+	Refusal.push(world.set_balls(balls))
 
 
 static func _segments(lines: Array[Vector4i]) -> Array[LineSegment]:
@@ -155,4 +155,4 @@ static func _set_up_cradle(world: SteppedWorld) -> void:
 			var start := foot.minus(along.scaled(98.0))
 			balls.append(Ball.new(start, 12.0, along.scaled(172.0 * wall)))
 	_fill(world, [], _NONE, 1.0, balls)
-	world.surroundings.set_segments(lines)
+	Refusal.push(world.surroundings.set_segments(lines))

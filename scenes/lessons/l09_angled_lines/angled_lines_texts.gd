@@ -3,7 +3,7 @@ extends RefCounted
 ## The words and formula lines of the lesson on angled lines.
 
 
-## The ways of stepping, in the order of [enum SteppedWorld.Method].
+## The ways of stepping, in the order of [enum SteppingMethods.Method].
 static func methods() -> PackedStringArray:
 	return [
 		_translate("Position reset"),
@@ -26,26 +26,29 @@ static func headings(frames: int) -> PackedStringArray:
 
 ## A row of the comparison: what is left of the energy in one way of stepping, how far that is from
 ## right, and what a frame costs. With C below 1 energy is to be lost, so there is no error to tell.
-static func comparison(of: MethodComparison, method: SteppedWorld.Method) -> PackedStringArray:
+## Where a ball bounced too often to be moved on, the row says so.
+static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
 	if of.lost_count(method):
 		text = _translate("%s, %d lost") % [text, of.lost_count(method)]
+	if of.refusal(method):
+		text = _translate("stopped")
 	return [
 		_row_title(method),
 		text,
-		NumberText.size(share - 1.0) if of.keeps_energy() else "–",
+		NumberText.size(share - 1.0) if of.keeps_energy() and not of.refusal(method) else "–",
 		_translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
 	]
 
 
-static func _row_title(method: SteppedWorld.Method) -> String:
+static func _row_title(method: SteppingMethods.Method) -> String:
 	match method:
-		SteppedWorld.Method.POSITION_RESET:
+		SteppingMethods.Method.POSITION_RESET:
 			return _translate("reset")
-		SteppedWorld.Method.POINT_OF_IMPACT:
+		SteppingMethods.Method.POINT_OF_IMPACT:
 			return _translate("rest dropped")
-		SteppedWorld.Method.WHOLE_FRAME:
+		SteppingMethods.Method.WHOLE_FRAME:
 			return _translate("rest used")
 	return _translate("event world")
 
@@ -64,7 +67,7 @@ static func formula_lines(has_bounce: bool) -> PackedStringArray:
 
 ## What stands at the point of impact.
 static func impact_label(bounce: BounceRecord) -> String:
-	return "t = %s" % NumberText.short(bounce.time, 3)
+	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
 ## What the status card says: time, bounces, lost balls, energy, and the script's share of a frame

@@ -12,15 +12,15 @@ var next_bounce: BounceRecord
 
 
 ## Looks [param frames] frames of [param seconds] ahead for the ball at the place [param index];
-## less far where it bounces twice before that.
+## less far where it bounces twice before that, or where its world refuses to go on.
 static func of(world: SteppedWorld, index: int, seconds: float, frames: int) -> BallForecast:
 	var forecast := BallForecast.new()
 	var copy := world.copy(index)
 	forecast.path.append(copy.balls[0].position.copy())
 	for frame in frames:
-		copy.step(seconds)
+		var problem := copy.step(seconds)
 		forecast._add(copy)
-		if copy.lost_count() or copy.bounces >= _MOST_BOUNCES:
+		if problem or copy.lost_count() or copy.bounces >= _MOST_BOUNCES:
 			break
 	return forecast
 

@@ -62,7 +62,8 @@ func elapsed_seconds() -> float:
 	return _first_frames * AngledLinesModel.FRAME + time
 
 
-## The impacts of a ball from the beginning until [param seconds], and those known beyond.
+## The impacts of a ball from the beginning until [param seconds], and those known beyond. They end
+## where the ball bounces too often for [method go_to].
 func impacts(index: int, seconds: float) -> Array[WorldEvent]:
 	if index != _forecast_index:
 		_forecast_index = index
@@ -71,9 +72,11 @@ func impacts(index: int, seconds: float) -> Array[WorldEvent]:
 		if _worlds[index]:
 			_forecast = EventMover.world_of(_first_ball(index), _world.surroundings)
 	if _forecast and _forecast.time < seconds:
-		_forecast.advance_to(seconds)
+		var problem := _forecast.advance_to(seconds)
 		_impacts.append_array(_forecast.events)
 		_forecast.events.clear()
+		if problem:
+			_forecast = null
 	return _impacts
 
 
@@ -108,7 +111,7 @@ func _bring(index: int, seconds: float) -> String:
 	if seconds < world.time:
 		var place := mini(floori(seconds / SPAN), kept.size() - 1)
 		var snapshot: WorldSnapshot = kept[place]
-		world.restore(snapshot)
+		Refusal.push(world.restore(snapshot))
 	world.events.clear()
 	while kept.size() * SPAN <= seconds:
 		var problem := world.advance_to(kept.size() * SPAN)
@@ -142,7 +145,7 @@ func _first_ball(index: int) -> Ball:
 	var world := _worlds[index]
 	var now := world.snapshot()
 	var first: WorldSnapshot = _snapshots[index][0]
-	world.restore(first)
+	Refusal.push(world.restore(first))
 	var ball := world.ball(0)
-	world.restore(now)
+	Refusal.push(world.restore(now))
 	return ball

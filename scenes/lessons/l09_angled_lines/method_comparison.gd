@@ -9,17 +9,20 @@ const FRAMES := 3600
 var _worlds: Array[SteppedWorld] = []
 var _first_energy := 0.0
 var _microseconds: PackedFloat64Array = []
+var _refusals: PackedStringArray = []
 
 
 ## Begins anew with copies of [param world].
 func begin(world: SteppedWorld) -> void:
 	_worlds.clear()
 	_first_energy = world.energy()
-	_microseconds.resize(SteppedWorld.Method.size())
+	_microseconds.resize(SteppingMethods.Method.size())
 	_microseconds.fill(0.0)
-	for method: int in SteppedWorld.Method.size():
+	_refusals.resize(SteppingMethods.Method.size())
+	_refusals.fill("")
+	for method: int in SteppingMethods.Method.size():
 		var copy := world.copy()
-		copy.mover = SteppedWorld.mover_of(method as SteppedWorld.Method)
+		copy.mover = SteppingMethods.mover_of(method as SteppingMethods.Method)
 		_worlds.append(copy)
 
 
@@ -38,12 +41,12 @@ func frames() -> int:
 
 
 ## The energy now as a share of that at the start; 1 where there was none.
-func energy_share(method: SteppedWorld.Method) -> float:
+func energy_share(method: SteppingMethods.Method) -> float:
 	return _worlds[method].energy() / _first_energy if _first_energy != 0.0 else 1.0
 
 
 ## How many balls that way of stepping has lost.
-func lost_count(method: SteppedWorld.Method) -> int:
+func lost_count(method: SteppingMethods.Method) -> int:
 	return _worlds[method].lost_count()
 
 
@@ -52,12 +55,19 @@ func keeps_energy() -> bool:
 	return _worlds[0].surroundings.bounciness == 1.0
 
 
+## Why that way of stepping did not bring all balls to the end of a frame; "" if it always did.
+func refusal(method: SteppingMethods.Method) -> String:
+	return _refusals[method]
+
+
 ## Microseconds for one frame of all balls, the average so far.
-func microseconds_per_frame(method: SteppedWorld.Method) -> float:
+func microseconds_per_frame(method: SteppingMethods.Method) -> float:
 	return _microseconds[method] / maxf(_worlds[method].frames, 1.0)
 
 
 func _step(method: int, seconds: float) -> void:
 	var start := Time.get_ticks_usec()
-	_worlds[method].step(seconds)
+	var problem := _worlds[method].step(seconds)
 	_microseconds[method] += Time.get_ticks_usec() - start
+	if problem and not _refusals[method]:
+		_refusals[method] = problem

@@ -15,7 +15,7 @@ const _RADIUS := 12.0
 const _HALF_LINE := 90.0
 
 ## The situation that is asked about, to be shown on the board.
-var world := SteppedWorld.new()
+var world := SteppedWorld.new(WholeFrameMover.new())
 
 
 ## A question with numbers drawn from [param rng].
@@ -121,7 +121,7 @@ func _ask_gravity(rng: RandomNumberGenerator) -> void:
 	var way := (speed + gravity / 2.0) / 60.0
 	var start := Vec2.new(0.0, -way * tenths / 5.0)
 	_show(Ball.new(start, _RADIUS, Vec2.new(0.0, speed)), [Vec2.new()], Vec2.new(0.0, -1.0))
-	world.surroundings.set_gravity(Vec2.new(0.0, 60.0 * gravity))
+	Refusal.push(world.surroundings.set_gravity(Vec2.new(0.0, 60.0 * gravity)))
 	answer_titles = ["v ="]
 	right_answer = [before]
 	add_mistake(
@@ -138,8 +138,8 @@ func _show(ball: Ball, contacts: Array[Vec2], normal: Vec2) -> void:
 	for contact in contacts:
 		var foot := contact.minus(normal.scaled(_RADIUS))
 		lines.append(LineSegment.new(foot.minus(half), foot.plus(half)))
-	world.surroundings.set_segments(lines)
-	world.set_balls([ball])
+	Refusal.push(world.surroundings.set_segments(lines))
+	Refusal.push(world.set_balls([ball]))
 
 
 func _add_vector(answer: Vec2, sentence: String) -> void:

@@ -1,9 +1,9 @@
 class_name BallFlight
 extends RefCounted
-## The way of a ball through one frame with at most one elastic bounce, in closed form: any time can
-## be asked for, in any order.
+## The way of a ball through one frame with at most one elastic bounce, in closed form: any fraction
+## of the frame can be asked for, in any order.
 
-## The centre at time 0.
+## The centre at the beginning of the frame.
 var start: Vec2
 ## The way of the whole frame, before the bounce.
 var motion: Vec2
@@ -24,19 +24,19 @@ func motion_after() -> Vec2:
 	return motion.reflected(impact.normal) if has_normal else motion.copy()
 
 
-## The centre after the share [param time] of the frame.
-func position_at(time: float) -> Vec2:
-	if not impact.hit or time < impact.time:
-		return start.plus(motion.scaled(time))
-	return impact.position.plus(motion_after().scaled(time - impact.time))
+## The centre after [param fraction] of the frame.
+func position_at(fraction: float) -> Vec2:
+	if not impact.hit or fraction < impact.fraction:
+		return start.plus(motion.scaled(fraction))
+	return impact.position.plus(motion_after().scaled(fraction - impact.fraction))
 
 
-## The corners of the way from time 0 to [param time].
-func corners(time: float) -> Array[Vec2]:
+## The corners of the way from the beginning of the frame to [param fraction] of it.
+func corners(fraction: float) -> Array[Vec2]:
 	var found: Array[Vec2] = [start]
-	if impact.hit and time > impact.time:
+	if impact.hit and fraction > impact.fraction:
 		found.append(impact.position)
-	found.append(position_at(time))
+	found.append(position_at(fraction))
 	return found
 
 

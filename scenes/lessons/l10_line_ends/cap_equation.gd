@@ -1,9 +1,10 @@
 class_name CapEquation
 extends RefCounted
-## The quadratic a t² + b t + c = 0 for the times at which a ball is as far from a point as its
-## radius, with all its parts for the formula lines. [CapImpact] computes the same in one go.
+## The quadratic a t² + b t + c = 0 whose roots are the fractions of the frame at which a ball is
+## one radius away from a point, with all its parts for the formula lines. [CapImpact] computes the
+## same in one go.
 
-## From the point to the ball's centre at time 0, in pixels.
+## From the point to the ball's centre at the beginning of the frame, in pixels.
 var difference: Vec2
 ## The way of the whole frame, in pixels.
 var motion: Vec2
@@ -32,21 +33,22 @@ func discriminant() -> float:
 	return b * b - 4.0 * a * c
 
 
-## Whether there are times at which the distance is the radius, before, in or after the frame.
+## Whether the distance is ever the radius, before, in or after the frame.
 func has_roots() -> bool:
 	return a > 0.0 and discriminant() >= 0.0
 
 
-## The time at which the ball comes to the point; only with [method has_roots].
+## The fraction of the frame at which the ball comes to the point; only with [method has_roots].
 func first_root() -> float:
 	return (-b - sqrt(discriminant())) / (2.0 * a)
 
 
-## The time at which the ball would leave the point again; only with [method has_roots].
+## The fraction of the frame at which the ball would leave the point again; only with
+## [method has_roots].
 func second_root() -> float:
 	return (-b + sqrt(discriminant())) / (2.0 * a)
 
 
-## Pixels between the point and the ball's centre at [param time].
-func distance_at(time: float) -> float:
-	return difference.plus(motion.scaled(time)).length()
+## Pixels between the point and the ball's centre after [param fraction] of the frame.
+func distance_at(fraction: float) -> float:
+	return difference.plus(motion.scaled(fraction)).length()

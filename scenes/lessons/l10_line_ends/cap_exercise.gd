@@ -1,17 +1,17 @@
 class_name CapExercise
 extends Exercise
 ## Asks about a ball that meets the end of a line, with fresh whole numbers: the discriminant, the
-## time of impact, or the normal.
+## fraction of the frame before the impact, or the normal.
 ##
 ## The place of the touch is made from a Pythagorean triple, so that the root comes out whole.
 
 ## What is asked for.
-enum Kind { TIME, DISCRIMINANT, NORMAL }
+enum Kind { FRACTION, DISCRIMINANT, NORMAL }
 
 const _TRIPLES: Array[Vector2i] = [
 	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(5, 12), Vector2i(12, 5)
 ]
-const _TIMES: Array[float] = [0.25, 0.5, 0.75]
+const _FRACTIONS: Array[float] = [0.25, 0.5, 0.75]
 
 ## From the end of the line to the ball's centre at the beginning of the frame.
 var difference: Vec2
@@ -19,7 +19,7 @@ var difference: Vec2
 var motion: Vec2
 ## The ball's radius.
 var radius: float
-## The times of the quadratic.
+## The quadratic for the end.
 var equation: CapEquation
 
 
@@ -31,8 +31,8 @@ func _init(kind: Kind, from: Vec2, by: Vec2, with_radius: float) -> void:
 	radius = with_radius
 	equation = CapEquation.new(from, by, with_radius, Vec2.new())
 	match kind:
-		Kind.TIME:
-			_ask_time()
+		Kind.FRACTION:
+			_ask_fraction()
 		Kind.DISCRIMINANT:
 			_ask_discriminant()
 		Kind.NORMAL:
@@ -44,12 +44,12 @@ func _init(kind: Kind, from: Vec2, by: Vec2, with_radius: float) -> void:
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var touch := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
-	var time := _TIMES[rng.randi_range(0, _TIMES.size() - 1)]
+	var fraction := _FRACTIONS[rng.randi_range(0, _FRACTIONS.size() - 1)]
 	var by := Vec2.new(4 * rng.randi_range(-3, 3), 4 * rng.randi_range(-3, 3))
 	# A motion that does not come closer to the end is drawn again, as this one would not touch it.
 	while by.dot(touch) >= 0.0:
 		by = Vec2.new(4 * rng.randi_range(-3, 3), 4 * rng.randi_range(-3, 3))
-	return new(kind, touch.minus(by.scaled(time)), by, touch.length())
+	return new(kind, touch.minus(by.scaled(fraction)), by, touch.length())
 
 
 ## Lays the numbers of the question into [param model], with the line behind its end.
@@ -59,14 +59,14 @@ func lay(model: LineEndsModel) -> void:
 	model.motion = motion.copy()
 	model.radius = radius
 	model.segment = LineSegment.new(Vec2.new(), touch.scaled(-2.0))
-	model.time = 1.0
+	model.fraction = 1.0
 
 
 static func _random_sign(rng: RandomNumberGenerator) -> int:
 	return 1 if rng.randi_range(0, 1) == 1 else -1
 
 
-func _ask_time() -> void:
+func _ask_fraction() -> void:
 	_ask(tr("At which share t of the frame does it touch the end?"), ["t ="])
 	right_answer = [equation.first_root()]
 	var d := equation.discriminant()
@@ -107,12 +107,12 @@ func _ask_discriminant() -> void:
 
 
 func _ask_normal() -> void:
-	var time := equation.first_root()
+	var fraction := equation.first_root()
 	_ask(
-		tr("It touches at t = %s. What is the unit normal n?") % NumberText.short(time),
+		tr("It touches at t = %s. What is the unit normal n?") % NumberText.short(fraction),
 		["nx =", "ny ="]
 	)
-	var touch := difference.plus(motion.scaled(time))
+	var touch := difference.plus(motion.scaled(fraction))
 	var normal := touch.normalized()
 	right_answer = [normal.x, normal.y]
 	_add_vector(normal.negated(), tr("n points from the end to the ball, not the other way."))

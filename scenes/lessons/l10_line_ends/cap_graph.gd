@@ -1,7 +1,7 @@
 class_name CapGraph
 extends Control
-## The distance of the ball's centre from the end of the line against time: where it is the radius,
-## the quadratic has its roots.
+## The distance of the ball's centre from the end of the line against the fraction of the frame.
+## Where it is the radius, the quadratic has its roots.
 
 const _MARGIN_LEFT := 16.0
 const _MARGIN_RIGHT := 44.0
@@ -11,7 +11,7 @@ const _SAMPLES := 120
 const _FONT_SIZE := 15
 
 var _equation: CapEquation
-var _time := 0.0
+var _fraction := 0.0
 var _end_name := "A"
 
 
@@ -20,11 +20,11 @@ func _ready() -> void:
 
 
 ## Draws the distance for [param equation] of the end called [param end_name], with the live point
-## at [param time].
-func show_equation(equation: CapEquation, end_name: String, time: float) -> void:
+## at [param fraction].
+func show_equation(equation: CapEquation, end_name: String, fraction: float) -> void:
 	_equation = equation
 	_end_name = end_name
-	_time = time
+	_fraction = fraction
 	accessibility_name = _title()
 	queue_redraw()
 
@@ -45,7 +45,7 @@ func _title() -> String:
 
 
 # From the start to the end of the frame, and further if a root lies a little beyond.
-func _time_span() -> Vector2:
+func _span() -> Vector2:
 	var span := Vector2(0.0, 1.0)
 	if _equation.has_roots():
 		span.x = clampf(_equation.first_root(), -1.0, 0.0)
@@ -54,32 +54,32 @@ func _time_span() -> Vector2:
 
 
 func _largest_distance() -> float:
-	var span := _time_span()
+	var span := _span()
 	var ends := maxf(_equation.distance_at(span.x), _equation.distance_at(span.y))
 	return maxf(ends, _equation.radius) * 1.05
 
 
 func _draw_axis() -> void:
-	var span := _time_span()
+	var span := _span()
 	draw_line(_pixel(span.x, 0.0), _pixel(span.y, 0.0), Palette.AXIS, 1.5)
-	for time: float in [0.0, 1.0]:
-		draw_line(_pixel(time, 0.0), _pixel(time, _largest_distance()), Palette.GRID, 1.0)
-		var text := "t = %s" % NumberText.short(time)
-		var left := clampf(_pixel(time, 0.0).x - 18.0, 4.0, size.x - 48.0)
+	for fraction: float in [0.0, 1.0]:
+		draw_line(_pixel(fraction, 0.0), _pixel(fraction, _largest_distance()), Palette.GRID, 1.0)
+		var text := "t = %s" % NumberText.short(fraction)
+		var left := clampf(_pixel(fraction, 0.0).x - 18.0, 4.0, size.x - 48.0)
 		_write(text, Vector2(left, size.y - 8.0), Palette.Role.QUIET)
 
 
 func _draw_curve() -> void:
-	var span := _time_span()
+	var span := _span()
 	var points: PackedVector2Array = []
 	for i in _SAMPLES + 1:
-		var time := lerpf(span.x, span.y, float(i) / _SAMPLES)
-		points.append(_pixel(time, _equation.distance_at(time)))
+		var fraction := lerpf(span.x, span.y, float(i) / _SAMPLES)
+		points.append(_pixel(fraction, _equation.distance_at(fraction)))
 	draw_polyline(points, Palette.color(Palette.Role.INK), 2.5, true)
 
 
 func _draw_radius() -> void:
-	var span := _time_span()
+	var span := _span()
 	var end := _pixel(span.y, _equation.radius)
 	var color := Palette.color(Palette.Role.UNIT)
 	draw_dashed_line(_pixel(span.x, _equation.radius), end, color, 2.0, 6.0)
@@ -88,34 +88,34 @@ func _draw_radius() -> void:
 
 func _draw_roots() -> void:
 	if not _equation.has_roots():
-		var middle := _pixel(_time_span().x, 0.0) + Vector2(12.0, -8.0)
+		var middle := _pixel(_span().x, 0.0) + Vector2(12.0, -8.0)
 		_write(tr("D < 0: never as close as r"), middle, Palette.Role.QUIET)
 		return
 	_draw_root(_equation.first_root(), "t₁", Palette.Role.PROJECTION)
 	_draw_root(_equation.second_root(), "t₂", Palette.Role.REST)
 
 
-func _draw_root(time: float, text: String, role: Palette.Role) -> void:
-	var span := _time_span()
-	if time < span.x or time > span.y:
+func _draw_root(fraction: float, text: String, role: Palette.Role) -> void:
+	var span := _span()
+	if fraction < span.x or fraction > span.y:
 		return
-	var at := _pixel(time, _equation.radius)
-	draw_dashed_line(_pixel(time, 0.0), at, Palette.color(role), 2.0, 4.0)
+	var at := _pixel(fraction, _equation.radius)
+	draw_dashed_line(_pixel(fraction, 0.0), at, Palette.color(role), 2.0, 4.0)
 	draw_circle(at, 6.0, Palette.color(role), true, -1.0, true)
 	_write(text, at + Vector2(-6.0, -12.0), role)
 
 
 func _draw_live_point() -> void:
-	var at := _pixel(_time, _equation.distance_at(_time))
+	var at := _pixel(_fraction, _equation.distance_at(_fraction))
 	draw_circle(at, 7.0, Palette.PAPER, true, -1.0, true)
 	draw_circle(at, 7.0, Palette.color(Palette.Role.INK), false, 2.5, true)
 
 
-func _pixel(time: float, distance: float) -> Vector2:
-	var span := _time_span()
+func _pixel(fraction: float, distance: float) -> Vector2:
+	var span := _span()
 	var width := size.x - _MARGIN_LEFT - _MARGIN_RIGHT
 	var height := size.y - _MARGIN_TOP - _MARGIN_BOTTOM
-	var share := (time - span.x) / (span.y - span.x)
+	var share := (fraction - span.x) / (span.y - span.x)
 	var up := distance / _largest_distance()
 	return Vector2(_MARGIN_LEFT + share * width, _MARGIN_TOP + (1.0 - up) * height)
 

@@ -12,10 +12,10 @@ var _whole: Array[Vec2] = []
 var _flown: Array[Vec2] = []
 
 
-## Shows [param flight] as it is after the share [param time] of the frame.
-func show_flight(flight: BallFlight, time: float) -> void:
+## Shows [param flight] as it is after the [param fraction] of the frame.
+func show_flight(flight: BallFlight, fraction: float) -> void:
 	_whole = flight.corners(1.0)
-	_flown = flight.corners(time)
+	_flown = flight.corners(fraction)
 	queue_redraw()
 
 

@@ -11,7 +11,7 @@ var _rng := RandomNumberGenerator.new()
 var _exercise: CapExercise
 # Why the last change could not be taken; "" where it could.
 var _refusal := ""
-var _exercise_kind := CapExercise.Kind.TIME
+var _exercise_kind := CapExercise.Kind.FRACTION
 
 var _steps: Steps
 var _formula: LineEndsFormula
@@ -123,10 +123,10 @@ func _switch_mistake(number: int) -> void:
 
 
 func _advance(seconds: float) -> void:
-	if _transport.is_playing and _model.time >= 1.0:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
-	if _model.time >= 1.0:
+	if _transport.is_playing and _model.fraction >= 1.0:
+		_model.fraction = 0.0
+	_model.fraction = clampf(_model.fraction + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
+	if _model.fraction >= 1.0:
 		_transport.is_playing = false
 	_drawing.show_model(_model, _step)
 

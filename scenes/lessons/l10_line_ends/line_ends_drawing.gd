@@ -48,7 +48,7 @@ func show_model(model: LineEndsModel, step: int) -> void:
 		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind))
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
-	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.time)
+	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)
 
 
 # The wrong ball flies in the field of the right line, so that both can be compared.

@@ -68,9 +68,9 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 	_wall.show_model(model, kind)
 	_line.lay(model.segment.start, model.segment.end)
 	_shot.lay(_tail, _head)
-	_flight.show_flight(flight, model.time)
+	_flight.show_flight(flight, model.fraction)
 	_start_ball.lay(model.start, model.radius)
-	_ball.lay(flight.position_at(model.time), model.radius)
+	_ball.lay(flight.position_at(model.fraction), model.radius)
 	_impact_ball.visible = flight.impact.hit
 	if flight.impact.hit:
 		_impact_ball.lay(flight.impact.position, model.radius)
@@ -94,8 +94,8 @@ func _show_wrong(model: LineEndsModel, wrong: BallFlight) -> void:
 	if _wrong_impact_ball.visible:
 		_wrong_impact_ball.lay(wrong.impact.position, model.radius)
 	if is_seen:
-		_wrong_flight.show_flight(wrong, model.time)
-		_wrong_ball.lay(wrong.position_at(model.time), model.radius)
+		_wrong_flight.show_flight(wrong, model.fraction)
+		_wrong_ball.lay(wrong.position_at(model.fraction), model.radius)
 
 
 # The left button aims the shot, the right one puts the ball elsewhere without turning the shot.

@@ -16,7 +16,7 @@ func _init(formula: Formula) -> void:
 		_formula.define_number(number, Palette.Role.INK)
 	for number: String in ["a", "b", "c", "discriminant", "minus_b", "root", "two_a"]:
 		_formula.define_number(number, Palette.Role.INK)
-	for number: String in ["line_time", "line_point", "first"]:
+	for number: String in ["line_fraction", "line_point", "first"]:
 		_formula.define_number(number, Palette.Role.PROJECTION)
 	_formula.define_number("second", Palette.Role.REST)
 	_formula.define_number("d_pair", Palette.Role.B)
@@ -106,9 +106,9 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 	_formula.set_number("approach", approach)
 	_formula.set_number("radius", model.radius)
 	if approach != 0.0:
-		var time := PointOfImpact.share(distance, distance - approach, model.radius)
-		var point := model.start.plus(model.motion.scaled(time))
-		_formula.set_number("line_time", time)
+		var fraction := PointOfImpact.fraction(distance, distance - approach, model.radius)
+		var point := model.start.plus(model.motion.scaled(fraction))
+		_formula.set_number("line_fraction", fraction)
 		_formula.set_vector("line_point", point)
 		_formula.set_number("s", model.segment.share_of(point))
 

@@ -6,8 +6,9 @@ class_name LineEndsMistakes
 const NUMBERS: Array[int] = [18, 19, 20, 22, 23]
 
 
-## The impact that the mistake [param number] leads to for the shot of [param model]. Its time may
-## be anything: that is the mistake. Where the mistake plays no part, it is the right impact.
+## The impact that the mistake [param number] leads to for the shot of [param model]. Its fraction
+## may be any number, NaN included: that is the mistake. Where the mistake plays no part, it is the
+## right impact.
 static func impact(number: int, model: LineEndsModel) -> Impact:
 	var right := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	var flat_hit := right.hit and right.feature == Impact.Feature.LINE
@@ -42,7 +43,7 @@ static func outline(model: LineEndsModel) -> Array[Vec2]:
 	if model.mistake == 0:
 		return []
 	var wrong := impact(model.mistake, model)
-	if not wrong.hit or not absf(wrong.time) <= 2.0:
+	if not wrong.hit or not absf(wrong.fraction) <= 2.0:
 		return []
 	var reach := Vec2.new(model.radius, model.radius)
 	return [wrong.position.plus(reach), wrong.position.minus(reach)]
@@ -59,7 +60,7 @@ static func discriminant_untested(equation: CapEquation) -> float:
 	return (-equation.b - sqrt(equation.discriminant())) / (2.0 * equation.a)
 
 
-## Mistake 20: the time counted from the new position, where the frame has ended already. NaN where
+## Mistake 20: the fraction counted from the new position, where the frame has ended. NaN where
 ## the ball does not come to the end.
 static func from_new_position(model: LineEndsModel) -> float:
 	var equation := CapEquation.new(
@@ -68,10 +69,10 @@ static func from_new_position(model: LineEndsModel) -> float:
 	return equation.first_root() if equation.has_roots() else NAN
 
 
-static func _at(time: float, model: LineEndsModel) -> Impact:
-	var position := model.start.plus(model.motion.scaled(time))
+static func _at(fraction: float, model: LineEndsModel) -> Impact:
+	var position := model.start.plus(model.motion.scaled(fraction))
 	var normal := position.minus(model.cap_point()).normalized()
-	return Impact.at(time, position, normal, model.nearest_cap())
+	return Impact.at(fraction, position, normal, model.nearest_cap())
 
 
 # Mistake 22: asks whether the ball is above the line after the frame, not when it touches.

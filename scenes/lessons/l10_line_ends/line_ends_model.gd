@@ -2,7 +2,7 @@ class_name LineEndsModel
 extends RefCounted
 ## One shot at five kinds of line: the ball's motion in one frame, and what each kind does to it.
 ##
-## Lengths in pixels; time is the share of the frame that has passed, 0..1.
+## Lengths are in pixels.
 
 ## The kinds of line. One-sided: the centre must start on the side to which the normal points.
 enum Field {
@@ -36,8 +36,8 @@ var motion := Vec2.new(6.0, 16.0)
 var radius := 5.0
 ## The line between its ends; an infinite line goes on through both.
 var segment := LineSegment.new(Vec2.new(1.0, 3.0), Vec2.new(13.0, 8.0))
-## How much of the frame has passed, 0..1.
-var time := 1.0
+## The fraction of the frame that has passed, 0..1. In links its key is "time".
+var fraction := 1.0
 ## The mistake that runs beside the right way, by its number; 0 for none.
 var mistake := 0
 
@@ -141,7 +141,7 @@ func to_dictionary() -> Dictionary:
 		"shot": PackedFloat64Array([start.x, start.y, motion.x, motion.y, radius]),
 		"line":
 		PackedFloat64Array([segment.start.x, segment.start.y, segment.end.x, segment.end.y]),
-		"time": time,
+		"time": fraction,
 		"mistake": mistake,
 	}
 
@@ -156,7 +156,7 @@ static func problem_of(stored: Dictionary) -> String:
 		. first(
 			[
 				model.problem(),
-				StateCheck.within("time", model.time, 0.0, 1.0),
+				StateCheck.within("time", model.fraction, 0.0, 1.0),
 				StateCheck.mistake(model.mistake, LineEndsMistakeTexts.infos()),
 			]
 		)
@@ -171,7 +171,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	motion.set_xy(shot[2], shot[3])
 	radius = shot[4]
 	segment = LineSegment.new(Vec2.new(line[0], line[1]), Vec2.new(line[2], line[3]))
-	time = stored["time"]
+	fraction = stored["time"]
 	mistake = stored["mistake"]
 
 

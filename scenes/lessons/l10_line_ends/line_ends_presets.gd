@@ -21,4 +21,4 @@ static func lay(model: LineEndsModel, preset: String) -> void:
 	model.segment = LineSegment.new(
 		Vec2.new(numbers[5], numbers[6]), Vec2.new(numbers[7], numbers[8])
 	)
-	model.time = 1.0
+	model.fraction = 1.0

@@ -1,6 +1,7 @@
 class_name LineEndsReadout
 extends RefCounted
-## The times of impact with their errors against about 100 bits, and what the calls cost.
+## The fractions of the frame before the impacts, with their errors against about 100 bits, and what
+## the calls cost.
 
 var _readout: Readout
 
@@ -10,14 +11,14 @@ func _init(readout: Readout) -> void:
 	_readout = readout
 
 
-## Shows the times for the shot of [param model].
+## Shows the fractions for the shot of [param model].
 func show_model(model: LineEndsModel) -> void:
 	var facing := SegmentImpact.facing_segment(model.start, model.segment)
 	_show(
 		"line",
 		TranslationServer.translate("t, infinite line"),
 		PointOfImpact.with_line.bind(model.start, model.motion, model.radius, facing),
-		ExactImpactTime.with_line(model.start, model.motion, model.radius, facing)
+		ExactImpactFraction.with_line(model.start, model.motion, model.radius, facing)
 	)
 	var feature := model.nearest_cap()
 	var point := model.cap_point()
@@ -25,7 +26,7 @@ func show_model(model: LineEndsModel) -> void:
 		"cap",
 		TranslationServer.translate("t, end %s") % LineEndsTexts.end_name(model),
 		CapImpact.with_point.bind(model.start, model.motion, model.radius, point, feature),
-		ExactImpactTime.with_point(model.start, model.motion, model.radius, point)
+		ExactImpactFraction.with_point(model.start, model.motion, model.radius, point)
 	)
 
 
@@ -34,8 +35,8 @@ func _show(key: String, title: String, find: Callable, exact: DoubleDouble) -> v
 	var nanoseconds := CallTimer.nanoseconds(find)
 	# A ball that overlaps already touches at once: there 0 is exact.
 	if impact.hit and exact:
-		var error := 0.0 if impact.time == 0.0 else exact.error_of(impact.time)
-		_readout.show_result(key, title, impact.time, error, nanoseconds)
+		var error := 0.0 if impact.fraction == 0.0 else exact.error_of(impact.fraction)
+		_readout.show_result(key, title, impact.fraction, error, nanoseconds)
 	else:
 		var cost := TranslationServer.translate("%s ns") % NumberText.short(nanoseconds, 2)
 		var none := TranslationServer.translate("none")

@@ -44,7 +44,7 @@ static func _add_lines_of_line(found: PackedStringArray, model: LineEndsModel, s
 	if model.motion.dot(model.facing_normal()) == 0.0:
 		found.append("{v} · {n} = 0: " + _translate("along the line, no time of impact"))
 		return
-	found.append("{t} = ({distance} − {radius}) / {approach} = {line_time}")
+	found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
 	if step == Step.SEGMENT:
 		found.append("F = P + {t} {v} = {line_point}")
 		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")

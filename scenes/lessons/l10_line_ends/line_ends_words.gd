@@ -24,7 +24,7 @@ static func sentence(model: LineEndsModel, field: LineEndsModel.Field) -> String
 	var impact := model.impact_in(field)
 	if not impact.hit:
 		return words
-	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.time, 3)
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction, 3)
 
 
 ## What the wrong ball of a mistake does, translated: its [param wrong] flight beside the right one.
@@ -33,7 +33,7 @@ static func wrong_sentence(model: LineEndsModel, wrong: BallFlight) -> String:
 		return _translate("the wrong ball does the same here")
 	if not wrong.impact.hit:
 		return _translate("✗ the wrong ball passes")
-	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.time, 5)
+	return _translate("✗ the wrong ball: t = %s") % NumberText.short(wrong.impact.fraction, 5)
 
 
 # Mistake 23 is one of the other lines in the place of the right one.

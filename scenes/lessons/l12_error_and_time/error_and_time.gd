@@ -16,7 +16,7 @@ var _has_pointed := false
 
 
 func start() -> void:
-	_model = ErrorAndTimeModel.new(_peer_cases)
+	_model = ErrorAndTimeModel.new(_engine_cases)
 	_panel = ErrorAndTimePanel.new(services)
 	_panel.fill_problems(_model)
 	var progress := services[&"progress"] as Progress
@@ -55,8 +55,8 @@ func show_link(linked: Dictionary) -> void:
 	_begin()
 
 
-func _peer_cases(problem_id: String) -> Array[MeasuredCase]:
-	return PeerCases.of(problem_id, true, %Engine as Node)
+func _engine_cases(problem_id: String) -> Array[MeasuredCase]:
+	return EngineCases.of(problem_id, true, %Engine as Node)
 
 
 # What the student does.
@@ -113,7 +113,7 @@ func _show_all() -> void:
 		names.append(MeasuredWords.of(method))
 	var problem := _model.problem()
 	_plot.name_axes(MeasuredWords.of(problem.run_time_axis), MeasuredWords.of(problem.error_axis))
-	_plot.show_series(names, run.are_peers())
+	_plot.show_series(names, run.are_baselines())
 	_has_pointed = false
 	_panel.show_problem(_model)
 	_panel.show_page(_model.is_stability_open)

@@ -15,17 +15,17 @@ var is_stability_open := false
 var stability := StabilityRun.new(StabilityCases.all())
 
 # The cases of the engine for a problem's id, as an array; set by whoever has a scene.
-var _peer_cases: Callable
+var _engine_cases: Callable
 # All cases of a problem, and the runs of its situations, kept so that a problem that is chosen
 # again shows what was found.
 var _cases: Dictionary[String, Array] = {}
 var _runs: Dictionary[String, MeasuringRun] = {}
 
 
-## A model whose problems are also solved by what [param peer_cases] returns for a problem's id: an
-## Array[MeasuredCase].
-func _init(peer_cases: Callable) -> void:
-	_peer_cases = peer_cases
+## A model whose problems are also solved by what [param engine_cases] returns for a problem's id:
+## an Array[MeasuredCase].
+func _init(engine_cases: Callable) -> void:
+	_engine_cases = engine_cases
 
 
 ## The problem that is chosen.
@@ -162,8 +162,8 @@ func _all_cases(of_problem: ReportProblem) -> Array[MeasuredCase]:
 	var id := of_problem.id
 	if not _cases.has(id):
 		var found := of_problem.cases(true)
-		var peers: Array[MeasuredCase] = _peer_cases.call(id)
-		found.append_array(peers)
+		var engine: Array[MeasuredCase] = _engine_cases.call(id)
+		found.append_array(engine)
 		_cases[id] = found.filter(func(case: MeasuredCase) -> bool: return not case.needs_frames)
 	var cases: Array[MeasuredCase] = []
 	cases.assign(_cases[id])

@@ -46,12 +46,12 @@ func methods() -> PackedStringArray:
 
 
 ## Whether each of [method methods] is the engine's own.
-func are_peers() -> Array[bool]:
+func are_baselines() -> Array[bool]:
 	var found: Array[bool] = []
 	for method in methods():
 		found.append(
 			_cases.any(
-				func(case: MeasuredCase) -> bool: return case.method == method and case.is_peer
+				func(case: MeasuredCase) -> bool: return case.method == method and case.is_baseline
 			)
 		)
 	return found

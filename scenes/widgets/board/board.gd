@@ -47,8 +47,9 @@ var grid_step := 1.0
 ## The plane and all numbers stay; only the picture is turned over.
 var is_y_up := false:
 	set(value):
-		is_y_up = value
-		view_changed.emit()
+		if value != is_y_up:
+			is_y_up = value
+			view_changed.emit()
 
 var _middle := Vec2.new()
 # What the parts of the board span: the editor's view is fitted to it.

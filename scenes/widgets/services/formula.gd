@@ -38,6 +38,12 @@ func put_number(name_in_line: String, value: float, role: Palette.Role, title: S
 	set_number(name_in_line, value)
 
 
+## A number at the end of a line, in the color of [param role]: unlike a factor, a negative one has
+## no parentheses around it.
+func put_result(name_in_line: String, value: float, role: Palette.Role) -> void:
+	put_text(name_in_line, NumberText.short(value), role)
+
+
 ## A pair of numbers, such as (4, -3), in the color of [param role].
 func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
 	define_number(name_in_line, role)

@@ -4,6 +4,8 @@ extends VBoxContainer
 
 ## The student has switched a mistake on, by its number; 0 switches all off.
 signal mistake_picked(number: int)
+## The same as a change of the lesson's state: `{"mistake": number}`.
+signal picked(changes: Dictionary)
 
 var _mistakes: Array[MistakeInfo] = []
 
@@ -28,6 +30,13 @@ func add_mistake(mistake: MistakeInfo) -> void:
 	_list.add_item(mistake.heading())
 
 
+## Shows the mistake in a lesson's state as switched on, if the state has one; emits nothing.
+func show_picked(state: Dictionary) -> void:
+	if state.has("mistake"):
+		var number: int = state["mistake"]
+		show_mistake(number)
+
+
 ## Shows the mistake with this number as switched on, 0 for none; emits nothing.
 func show_mistake(number: int) -> void:
 	_list.select(0)
@@ -43,3 +52,4 @@ func _pick(item: int) -> void:
 	var number := _mistakes[item - 1].number if item > 0 else 0
 	show_mistake(number)
 	mistake_picked.emit(number)
+	picked.emit({"mistake": number})

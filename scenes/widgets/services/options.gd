@@ -8,6 +8,8 @@ signal switched(key: String, on: bool)
 signal chosen(key: String, place: int)
 ## The student picked the preset with this key.
 signal preset_picked(key: String)
+## A switch or a preset as a change of the lesson's state: its values by their names.
+signal picked(changes: Dictionary)
 
 var _buttons: Dictionary[String, CheckButton] = {}
 var _lists: Dictionary[String, OptionButton] = {}
@@ -22,9 +24,18 @@ func add_switch(key: String, text: String) -> void:
 	button.text = text
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.toggled.connect(func(on: bool) -> void: switched.emit(key, on))
+	button.toggled.connect(func(on: bool) -> void: picked.emit({key: on}))
 	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_buttons[key] = button
 	_switches.add_child(button)
+
+
+## Shows the switches whose keys a lesson's state has as it has them; emits nothing.
+func show_picked(state: Dictionary) -> void:
+	for key in _buttons:
+		if state.has(key):
+			var on: bool = state[key]
+			show_switch(key, on)
 
 
 ## Shows a switch on or off; emits nothing.
@@ -62,6 +73,13 @@ func show_choice(key: String, place: int) -> void:
 func add_presets(titles: Array[String]) -> void:
 	for title in titles:
 		add_preset(title, tr(title))
+
+
+## Adds a button for each preset; its title, source text, is its key. What the preset changes in the
+## lesson's state comes with [signal picked].
+func offer_presets(presets: Dictionary[String, Dictionary]) -> void:
+	add_presets(presets.keys())
+	preset_picked.connect(func(title: String) -> void: picked.emit(presets[title]))
 
 
 ## Adds a button that sets up a preset; the text is translated.

@@ -7,6 +7,8 @@ extends FoldableContainer
 signal exercise_wanted
 ## The student wants to see the numbers of the question [param exercise] on the board.
 signal board_wanted(exercise: Exercise)
+## The same as a change of the lesson's state, where [method Exercise.board_state] has one.
+signal picked(changes: Dictionary)
 
 ## Draws the numbers of the questions.
 var rng := RandomNumberGenerator.new()
@@ -28,7 +30,7 @@ var _fields: Array[LineEdit] = []
 func _ready() -> void:
 	_check.pressed.connect(_check_answer)
 	(%New as Button).pressed.connect(exercise_wanted.emit)
-	_show.pressed.connect(func() -> void: board_wanted.emit(_exercise))
+	_show.pressed.connect(_show_on_board)
 
 
 ## Asks questions that [param fresh] makes: it takes a kind, from 0 to [param kind_count] - 1, and
@@ -65,7 +67,14 @@ func _ask() -> void:
 
 # Where nothing listens, the numbers cannot be shown on the board.
 func _offer_board() -> void:
-	_show.visible = board_wanted.has_connections()
+	var is_taken := picked.has_connections() and not _exercise.board_state().is_empty()
+	_show.visible = is_taken or board_wanted.has_connections()
+
+
+func _show_on_board() -> void:
+	board_wanted.emit(_exercise)
+	if not _exercise.board_state().is_empty():
+		picked.emit(_exercise.board_state())
 
 
 func _add_field(answer_title: String) -> void:

@@ -21,7 +21,9 @@ func show_headings(texts: PackedStringArray) -> void:
 func show_result(
 	key: String, title: String, value: float, error: float, nanoseconds: float
 ) -> void:
-	show_texts(key, [title, NumberText.short(value), NumberText.size(error), _time(nanoseconds)])
+	show_texts(
+		key, [title, NumberText.short(value), NumberText.size(error), time_text(nanoseconds)]
+	)
 
 
 ## The same for a vector, shown with [param digits] digits.
@@ -29,7 +31,12 @@ func show_vector(
 	key: String, title: String, vector: Vec2, error: float, nanoseconds: float, digits: int = 4
 ) -> void:
 	var value := NumberText.pair(vector.x, vector.y, digits)
-	show_texts(key, [title, value, NumberText.size(error), _time(nanoseconds)])
+	show_texts(key, [title, value, NumberText.size(error), time_text(nanoseconds)])
+
+
+## The run time of a call as the table writes it.
+func time_text(nanoseconds: float) -> String:
+	return tr("%s ns") % NumberText.short(nanoseconds, 2)
 
 
 ## Shows a row of up to four texts, translated; a new [param key] adds a row below.
@@ -40,10 +47,6 @@ func show_texts(key: String, texts: PackedStringArray) -> void:
 		_add_row(texts)
 	for column in columns:
 		(get_child(_rows[key] * columns + column) as Label).text = texts[column]
-
-
-func _time(nanoseconds: float) -> String:
-	return tr("%s ns") % NumberText.short(nanoseconds, 2)
 
 
 func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:

@@ -10,13 +10,16 @@ signal step_changed(step: int)
 ## Actions that this service answers to, for the help line.
 const ACTIONS: Array[StringName] = [&"lab_step_back", &"lab_step"]
 
-## The step that is shown, counted from 0.
+## The step that is shown, counted from 0. The last one at first, unless [method open_at] names
+## another.
 var step: int:
 	get:
 		return _step
 
 var _sentences: PackedStringArray = []
 var _step := 0
+# Whether it is known which step is shown.
+var _is_open := false
 
 @onready var _count: Label = %Count
 @onready var _sentence: Label = %Sentence
@@ -32,16 +35,19 @@ func _ready() -> void:
 ## Opens at the step [param first], counted from 0; before the first [method tell].
 func open_at(first: int) -> void:
 	_step = first
+	_is_open = true
 
 
-## Shows these translated sentences, one for each step; the step that is shown stays.
+## Shows these translated sentences, one for each step; the step that is shown stays. Call it before
+## the first use of [member step]: it says which step is the last.
 func tell(sentences: PackedStringArray) -> void:
-	show_sentences(sentences, _step)
+	show_sentences(sentences, _step if _is_open else sentences.size() - 1)
 
 
 ## Gives the steps' sentences, translated, and shows the step [param step] of them.
 func show_sentences(sentences: PackedStringArray, at: int) -> void:
 	_sentences = sentences
+	_is_open = true
 	_step = clampi(at, 0, sentences.size() - 1)
 	_refresh()
 

@@ -1,10 +1,9 @@
 class_name BallInBox
 extends RefCounted
-## One elastic ball in a rectangular box without gravity, and where it is exactly after any time.
+## One elastic ball in a rectangular box without gravity, and its exact position at any time.
 ##
-## Unfolded at each bounce, the path is straight: each coordinate of the centre runs to and fro in
-## its room by x0 + v t alone, folded back. That is computed with 106 bits, so the answer itself is
-## right to 1e-20 px.
+## Unfolded at each bounce, the path is straight: each coordinate of the centre is x0 + v t, folded
+## back into the box. It is computed with 106 bits, so that the answer is right to 1e-20 px.
 
 ## Upper left corner, in pixels.
 const LEFT := -300.0
@@ -14,14 +13,14 @@ const TOP := -200.0
 const RIGHT := 300.0
 ## See [constant RIGHT].
 const BOTTOM := 200.0
-## Pixels.
+## The ball's radius, in pixels.
 const RADIUS := 10.0
-## Where the ball's centre begins, in pixels.
+## The start of the ball's centre, in pixels.
 const START_X := -176.625
 ## See [constant START_X].
 const START_Y := -112.375
 
-# Radians on screen. No symmetry, no corner, no grazing.
+# In radians on screen. The path has no symmetry, meets no corner and does not graze a wall.
 const _DIRECTION := 0.7
 
 
@@ -42,8 +41,8 @@ static func walls() -> Array[LineSegment]:
 	return found
 
 
-## How far [param position] is from where a ball of [method ball] is exactly after [param seconds],
-## in pixels; [constant Measurement.NO_ANSWER] where it has left the box.
+## The distance in pixels between [param position] and the exact position of the [method ball] after
+## [param seconds]; [constant Measurement.NO_ANSWER] if the position is outside the box.
 static func error_of(position: Vec2, speed: float, seconds: float) -> float:
 	if not (_is_inside(position.x, LEFT, RIGHT) and _is_inside(position.y, TOP, BOTTOM)):
 		return Measurement.NO_ANSWER
@@ -53,8 +52,8 @@ static func error_of(position: Vec2, speed: float, seconds: float) -> float:
 	return Vec2.new(x.error_of(position.x), y.error_of(position.y)).length()
 
 
-## Where a point is after [param seconds] that runs to and fro between [param low] and [param high]
-## from [param start] on, which lies between them.
+## The position after [param seconds] of a point that moves to and fro between [param low] and
+## [param high], with [param start] between them.
 static func folded(
 	start: float, velocity: float, seconds: float, low: float, high: float
 ) -> DoubleDouble:
@@ -68,6 +67,7 @@ static func folded(
 	return way.plus(DoubleDouble.from_float(low))
 
 
-# The engine's bodies stay off a wall by a margin or sink into it: outside is beyond the wall.
+# The engine's bodies keep a margin to a wall or sink into it. So a ball is outside only if its
+# centre is beyond the wall.
 static func _is_inside(value: float, low: float, high: float) -> bool:
 	return value > low and value < high

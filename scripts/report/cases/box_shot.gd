@@ -1,11 +1,11 @@
 class_name BoxShot
 extends Shot
-## A flight of the ball in the box; see [BallInBox]. The error is that of its end.
+## A flight of the ball in the box; see [BallInBox]. The error is that of the last position.
 
 var _speed: float
 
 
-## A flight at so many pixels per second, for so many seconds.
+## A flight at [param speed] pixels per second for [param for_seconds].
 func _init(speed: float, for_seconds: float) -> void:
 	problem = "ball_in_box"
 	situation = situation_of(speed, for_seconds)
@@ -19,7 +19,7 @@ func segments() -> Array[LineSegment]:
 	return BallInBox.walls()
 
 
-## How the situation is named in tables.
+## The name of the situation in tables.
 static func situation_of(speed: float, for_seconds: float) -> String:
 	return "%d px/s, %d s" % [speed, for_seconds]
 

@@ -1,32 +1,32 @@
 class_name Crowd
 extends RefCounted
-## Many equal elastic balls in a square box, without gravity: a tenth of its area is covered.
+## Many equal elastic balls in a square box without gravity. They cover a tenth of its area.
 
-## Pixels.
+## The radius of each ball, in pixels.
 const RADIUS := 10.0
-## The share of the area that the balls cover.
+## The fraction of the area that the balls cover.
 const COVERED := 0.1
-## Pixels per second.
+## The lowest speed at the start, in pixels per second.
 const SLOWEST := 100.0
-## Pixels per second.
+## The highest speed at the start, in pixels per second.
 const FASTEST := 300.0
 
-## How many balls.
+## The number of balls.
 var count: int
-## How long they are looked at.
+## The simulated time, in seconds.
 var seconds: float
 ## The box reaches from 0 to here, in x and y, in pixels.
 var side: float
 
 
-## So many balls for so long.
+## A crowd of this many balls, simulated for this time.
 func _init(of_count: int, for_seconds: float) -> void:
 	count = of_count
 	seconds = for_seconds
 	side = sqrt(count * PI * RADIUS * RADIUS / COVERED)
 
 
-## The balls at their start, the same ones every time: one in each of as many squares.
+## The balls at their start, the same at every call: each in a square of its own.
 func balls() -> Array[Ball]:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = count
@@ -54,8 +54,9 @@ func walls() -> Array[LineSegment]:
 	return found
 
 
-## The worst overlap of two balls in pixels, r1 + r2 less their distance; 0 if none overlap.
-## [param places] holds x, y of each. Sorted by x, each has to look only at its neighbours.
+## The deepest overlap of two balls in pixels: r1 + r2 less their distance; 0 if none overlap.
+## [param places] holds x, y of each ball. They are sorted by x, so that each ball is compared with
+## its neighbours only.
 static func worst_overlap(places: PackedFloat64Array) -> float:
 	var order: Array[int] = []
 	order.assign(range(0, places.size(), 2))
@@ -73,7 +74,7 @@ static func worst_overlap(places: PackedFloat64Array) -> float:
 	return 2.0 * RADIUS - sqrt(least)
 
 
-## The largest distance of a ball in one list of places from that in the other.
+## The largest distance between the places of the same ball in both lists.
 static func worst_distance(one: PackedFloat64Array, other: PackedFloat64Array) -> float:
 	var worst := 0.0
 	for i in range(0, one.size(), 2):
@@ -83,7 +84,7 @@ static func worst_distance(one: PackedFloat64Array, other: PackedFloat64Array) -
 	return sqrt(worst)
 
 
-## How far the energy is from that of [param before], as a share of it; both hold the x, y of the
+## The change of the energy, as a fraction of the energy before. Both lists hold x, y of the
 ## velocity of each ball.
 static func energy_drift(before: PackedFloat64Array, after: PackedFloat64Array) -> float:
 	return absf(_squares(after) / _squares(before) - 1.0)

@@ -1,23 +1,23 @@
 @abstract class_name CrowdFlight
 extends FlightCase
-## Many balls by one method, all of them read after each step: what a second of it takes; their
-## worst overlap, the drift of their energy, and how long a reversed run finds its way back.
+## Many balls by one method, all read after each step: the run time, the deepest overlap, the drift
+## of the energy, and for how long a reversed run retraces its path.
 
-## Pixels. A reversed run is lost where the first ball is further off than this.
+## Pixels. A reversed run is lost when the first ball is farther from its path than this.
 const LOST := 1.0
 
 const _FRAMES_PER_SECOND := 60
-# The overlap is looked at in every frame of so many.
+# The overlap is measured in every sixth frame.
 const _EVERY := 6
 
-## Which balls.
+## The balls.
 var crowd: Crowd
 
 # x, y of each ball, as read after the latest step.
 var _places: PackedFloat64Array = []
 
 
-## These balls in so many steps a second: 60 or a multiple of it.
+## A flight of these balls with [param at_rate] steps a second: 60 or a multiple of it.
 func _init(of_crowd: Crowd, at_rate: int) -> void:
 	super(of_crowd.seconds, at_rate)
 	crowd = of_crowd
@@ -26,19 +26,19 @@ func _init(of_crowd: Crowd, at_rate: int) -> void:
 	_places.resize(2 * crowd.count)
 
 
-## How the situation is named in tables.
+## The name of the situation in tables.
 static func situation_of(count: int) -> String:
 	return "%d balls" % count
 
 
-## x, y of the velocity of each ball.
+## The x, y of the velocity of each ball.
 @abstract func _velocities() -> PackedFloat64Array
 
 ## Reverses all velocities.
 @abstract func _turn_round() -> void
 
 
-## What else is to be said; "" for nothing.
+## A further remark for the note; "" for none.
 func _remark() -> String:
 	return ""
 
@@ -70,7 +70,7 @@ func _fly_frame() -> void:
 	await _fly(floori(float(rate) / _FRAMES_PER_SECOND))
 
 
-# Flies back, and compares with each frame on the way.
+# Flies back, and compares each frame with that of the way there.
 func _time_until_lost(places: Array[PackedFloat64Array]) -> float:
 	for back in range(1, places.size()):
 		@warning_ignore("redundant_await")

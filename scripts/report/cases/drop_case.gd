@@ -1,19 +1,19 @@
 @abstract class_name DropCase
 extends FlightCase
-## A dropped ball by one method: its height and energy after a minute.
+## A dropped ball by one method: its height and its energy after a minute.
 
-# A ball with so many times the energy of its start, or of its height, has been blown up.
+# A ball with more than this times the energy of the start has blown up.
 const _BLOWN_UP := 100.0
 
 ## The coefficient of restitution C.
 var bounciness: float
 
-# What was read last: pixels above the floor, and pixels per second.
+# The latest values: pixels above the floor, and pixels per second.
 var _height := 0.0
 var _speed := 0.0
 
 
-## A ball with this bounciness, moved so many times a second.
+## A ball with this bounciness, moved in [param at_rate] steps a second.
 func _init(with_bounciness: float, at_rate: int) -> void:
 	super(DroppedBall.SECONDS, at_rate)
 	problem = "dropped_ball"

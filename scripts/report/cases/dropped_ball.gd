@@ -1,18 +1,18 @@
 class_name DroppedBall
 extends RefCounted
-## A ball dropped on a level floor: where it is exactly, and what energy it has.
+## A ball dropped on a level floor: its exact height, and its energy.
 ##
-## Between two bounces the height is h - g t^2 / 2 from each top; a bounce leaves C of the speed, so
-## C^2 of the height. With C < 1 the infinitely many bounces take t0 (1 + C) / (1 - C) in all, where
-## t0 = sqrt(2 h / g) is the first fall; from then on the ball lies on the floor.
+## From each highest point the ball falls by g t^2 / 2. A bounce leaves the fraction C of the speed,
+## so C^2 of the height. With C < 1 the infinitely many bounces take t0 (1 + C) / (1 - C) in all,
+## where t0 = sqrt(2 h / g) is the time of the first fall. After that the ball lies on the floor.
 
-## Pixels above the floor at the start, from its lowest point.
+## The height of the ball's lowest point above the floor at the start, in pixels.
 const HEIGHT := 200.0
 ## Pixels per second squared, downwards.
 const GRAVITY := 1000.0
-## Pixels.
+## The ball's radius, in pixels.
 const RADIUS := 10.0
-## Seconds after which it is looked at.
+## The time after which the ball is measured, in seconds.
 const SECONDS := 60.0
 ## The coefficients of restitution C, each a situation.
 const BOUNCINESSES: PackedFloat64Array = [1.0, 0.8, 0.5, 0.0]
@@ -28,14 +28,14 @@ static func floors() -> Array[LineSegment]:
 	return [LineSegment.new(Vec2.new(-500.0, 0.0), Vec2.new(500.0, 0.0))]
 
 
-## The height in pixels after [param seconds], with 106 bits before it is rounded.
+## The height in pixels after [param seconds], computed with 106 bits and then rounded.
 static func height_after(seconds: float, bounciness: float) -> float:
 	if seconds >= rest_time(bounciness):
 		return 0.0
 	var left := DoubleDouble.from_float(seconds)
 	var fall := DoubleDouble.from_float(2.0 * HEIGHT)
 	fall = fall.divided(DoubleDouble.from_float(GRAVITY)).square_root()
-	# Time since the latest bounce, and the speed that this bounce has left.
+	# The time since the latest bounce, and the length of the hop that follows it.
 	left = left.minus(fall)
 	if left.to_float() < 0.0:
 		return _fallen(DoubleDouble.from_float(HEIGHT), DoubleDouble.from_float(seconds))
@@ -47,24 +47,24 @@ static func height_after(seconds: float, bounciness: float) -> float:
 		while left.minus(hop).to_float() >= 0.0:
 			left = left.minus(hop)
 			hop = hop.times(DoubleDouble.from_float(bounciness))
-	# On the way up and down again: g t (T - t) / 2 for a hop of length T.
+	# The height within a hop of length T: g t (T - t) / 2.
 	var height := left.times(hop.minus(left)).times(DoubleDouble.from_float(GRAVITY / 2.0))
 	return height.to_float()
 
 
-## Seconds until the ball lies still; infinite for C = 1.
+## The time in seconds until the ball lies still; infinite for C = 1.
 static func rest_time(bounciness: float) -> float:
 	if bounciness == 1.0:
 		return INF
 	return sqrt(2.0 * HEIGHT / GRAVITY) * (1.0 + bounciness) / (1.0 - bounciness)
 
 
-## The energy of a ball at this height and speed, as a share of that at the start.
+## The energy of a ball at this height and speed, as a fraction of the energy at the start.
 static func energy_share(height: float, speed: float) -> float:
 	return (speed * speed / 2.0 + GRAVITY * height) / (GRAVITY * HEIGHT)
 
 
-## How the situation is named in tables.
+## The name of the situation in tables.
 static func situation_of(bounciness: float) -> String:
 	return "C = %s" % bounciness
 

@@ -2,13 +2,13 @@ class_name EventCrowd
 extends CrowdFlight
 ## Many balls in the event world.
 
-## How it is named in tables.
+## The name of the method in tables.
 const METHOD := "event world"
 
 var _world: EventWorld
 
 
-## These balls, read so many times a second.
+## A flight of these balls, which are read [param at_rate] times a second.
 func _init(of_crowd: Crowd, at_rate: int) -> void:
 	super(of_crowd, at_rate)
 	method = METHOD
@@ -16,15 +16,18 @@ func _init(of_crowd: Crowd, at_rate: int) -> void:
 
 func _prepare() -> void:
 	_world = EventWorld.new()
-	_world.set_walls(Vec2.new(), Vec2.new(crowd.side, crowd.side))
-	_world.set_balls(crowd.balls())
+	keep_refusal(_world.set_walls(Vec2.new(), Vec2.new(crowd.side, crowd.side)))
+	keep_refusal(_world.set_balls(crowd.balls()))
 
 
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.advance(step_seconds)
+		var refused := world.advance(step_seconds)
+		if refused:
+			keep_refusal(refused)
+			break
 		_places = world.positions()
 	_spent = Time.get_ticks_usec() - start
 
@@ -44,7 +47,7 @@ func _turn_round() -> void:
 		var ball := _world.ball(index)
 		ball.velocity.scale(-1.0)
 		turned.append(ball)
-	_world.set_balls(turned)
+	keep_refusal(_world.set_balls(turned))
 
 
 func _remark() -> String:

@@ -2,14 +2,15 @@ class_name EventFlight
 extends ShotFlight
 ## A ball's flight in the event world.
 
-## How the ways of holding the segments are named in tables.
+## How the world holds the segments: as its four walls, in a grid, or in a list that is searched
+## whole.
 enum Form { WALLS, GRID, SCAN }
 
 var _form: Form
 var _world: EventWorld
 
 
-## A flight in a world of this form; [constant Form.WALLS] is for the box alone.
+## A flight in a world of this form; [constant Form.WALLS] is for the box only.
 func _init(form: Form, method_name: String, of_shot: Shot, at_rate: int) -> void:
 	super(of_shot, at_rate)
 	_form = form
@@ -21,17 +22,20 @@ func _prepare() -> void:
 	_world.uses_grid = _form != Form.SCAN
 	if _form == Form.WALLS:
 		var low := Vec2.new(BallInBox.LEFT, BallInBox.TOP)
-		_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM))
+		keep_refusal(_world.set_walls(low, Vec2.new(BallInBox.RIGHT, BallInBox.BOTTOM)))
 	else:
-		_world.set_segments(shot.segments())
-	_world.set_balls([shot.ball])
+		keep_refusal(_world.set_segments(shot.segments()))
+	keep_refusal(_world.set_balls([shot.ball]))
 
 
 func _fly(count: int) -> void:
 	var world := _world
 	var start := Time.get_ticks_usec()
 	for i in count:
-		world.advance(step_seconds)
+		var refused := world.advance(step_seconds)
+		if refused:
+			keep_refusal(refused)
+			break
 		_x = world.position_x(0)
 		_y = world.position_y(0)
 	_spent = Time.get_ticks_usec() - start

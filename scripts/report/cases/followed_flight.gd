@@ -1,8 +1,8 @@
 class_name FollowedFlight
 extends EventFlight
-## A ball's flight in the event world by a loop of its own: it asks the world where the ball is and
-## how fast only when something has happened, and follows the straight flight itself until the next
-## event. This spares three calls a frame.
+## A ball's flight in the event world with a loop of its own. It asks the world for position and
+## velocity only after an event, and computes the straight flight until the next event itself. This
+## saves three calls a frame.
 
 
 func _fly(count: int) -> void:
@@ -19,7 +19,10 @@ func _fly(count: int) -> void:
 	for i in count:
 		var now := begin + (i + 1) * step_seconds
 		if now >= until:
-			world.advance_to(now)
+			var refused := world.advance_to(now)
+			if refused:
+				keep_refusal(refused)
+				break
 			until = world.next_event_time()
 			from = now
 			x = world.position_x(0)
@@ -30,4 +33,4 @@ func _fly(count: int) -> void:
 		_x = x + across * (now - from)
 		_y = y + down * (now - from)
 	_spent = Time.get_ticks_usec() - start
-	world.advance_to(begin + count * step_seconds)
+	keep_refusal(world.advance_to(begin + count * step_seconds))

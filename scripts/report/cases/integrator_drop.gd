@@ -1,19 +1,19 @@
 class_name IntegratorDrop
 extends DropCase
-## The dropped ball by one of the usual ways to step a motion; a ball that is found in the floor is
-## put back on it and its speed turned round, as in part 12 of the lecture.
+## The dropped ball by one of the usual integrators. A ball that is below the floor after a step is
+## put back on it and its speed is reversed, as in part 12 of the lecture.
 
-## How speed and height are stepped.
+## The integrators.
 enum Way { EXPLICIT_EULER, SEMI_IMPLICIT_EULER, VELOCITY_VERLET }
 
-## How the ways are named in tables.
+## The names of the integrators in tables.
 const METHODS: Dictionary[Way, String] = {
 	Way.EXPLICIT_EULER: "explicit Euler",
 	Way.SEMI_IMPLICIT_EULER: "semi-implicit Euler",
 	Way.VELOCITY_VERLET: "velocity Verlet",
 }
 
-# Which share of a step's change of speed counts for the way in that same step: none, all, half.
+# The fraction of a step's change of speed that counts for the motion of the same step.
 const _SHARES: Dictionary[Way, float] = {
 	Way.EXPLICIT_EULER: 0.0,
 	Way.SEMI_IMPLICIT_EULER: 1.0,
@@ -23,7 +23,7 @@ const _SHARES: Dictionary[Way, float] = {
 var _share: float
 
 
-## The ball stepped in this way.
+## The ball moved by this integrator.
 func _init(way: Way, with_bounciness: float, at_rate: int) -> void:
 	super(with_bounciness, at_rate)
 	method = METHODS[way]
@@ -35,7 +35,7 @@ func _prepare() -> void:
 	_speed = 0.0
 
 
-# Speed is counted upwards.
+# Upward speed is positive.
 func _fly(count: int) -> void:
 	var height := _height
 	var speed := _speed

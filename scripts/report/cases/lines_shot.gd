@@ -1,12 +1,12 @@
 class_name LinesShot
 extends Shot
-## One ball among angled lines, where an error grows manyfold with each bounce: how many bounces a
-## method follows the exact path.
+## One ball among angled lines, where each bounce multiplies the error: the number of bounces for
+## which a method follows the exact path.
 
-## Pixels. Further off than this the path is lost.
+## Pixels. A ball farther than this from the exact path has lost it.
 const LOST := 1.0
 
-# Ends of the lines inside of the box, as x, y, x, y, in pixels.
+# The ends of the lines inside the box, as x, y, x, y, in pixels.
 const _LINES: PackedInt32Array = [
 	-220,
 	-100,
@@ -41,12 +41,12 @@ const _LINES: PackedInt32Array = [
 	60,
 	130,
 ]
-# Pixels per second.
+# In pixels per second.
 const _SPEED := 400.0
-# Radians on screen.
+# In radians on screen.
 const _DIRECTION := 0.35
 
-# The exact path; made when it is first needed.
+# The exact path; computed when it is first needed.
 var _exact: ExactPath
 
 
@@ -89,12 +89,12 @@ func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 func exact_path() -> ExactPath:
 	if _exact == null:
 		_exact = ExactPath.new()
-		_exact.start(ball, segments())
-		_exact.advance_to(path_seconds)
+		Refusal.push(_exact.start(ball, segments()))
+		Refusal.push(_exact.advance_to(path_seconds))
 	return _exact
 
 
-## The number of bounces of the exact path until this time, in seconds.
+## The number of bounces of the exact path until [param time], in seconds.
 func bounces_until(time: float) -> int:
 	var count := -1
 	for flight in exact_path().flights:

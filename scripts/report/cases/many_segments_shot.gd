@@ -1,14 +1,14 @@
 class_name ManySegmentsShot
 extends Shot
-## One ball among so many segments that they cannot all be looked at; the more, the larger the box,
-## so that there are always as many around the ball.
+## One ball among so many segments that a method should not examine them all. The box grows with
+## their number, so that the ball always has the same number around it.
 
-# Each segment has a square of its own, so that none meets another.
+# The side of the square that each segment has for itself, so that none meets another. In pixels.
 const _SQUARE := 80.0
 const _LENGTH := 40.0
-# Pixels by which a segment's middle may be off that of its square.
+# The largest distance in x and y between a segment's middle and that of its square, in pixels.
 const _PLAY := 12.0
-# Pixels. At the corner of a square there is room for it.
+# The ball's radius in pixels; it fits between the segments of neighbouring squares.
 const _RADIUS := 6.0
 const _SPEED := 300.0
 
@@ -16,7 +16,7 @@ var _count: int
 var _segments: Array[LineSegment] = []
 
 
-## A box with so many segments, its four walls included: 4, or 4 times a power of 4.
+## A box with [param count] segments, its four walls included: 4, or 4 times a power of 4.
 func _init(count: int) -> void:
 	problem = "many_segments"
 	situation = situation_of(count)
@@ -33,22 +33,25 @@ func segments() -> Array[LineSegment]:
 	return _segments
 
 
-## How the situation is named in tables.
+## The name of the situation in tables.
 static func situation_of(count: int) -> String:
 	return "%d segments" % count
 
 
-## See [method Shot.judge]: the error is how far the ball is off the exact path at the end of it.
+## See [method Shot.judge]: the error is the distance from the exact position at the end of the
+## path.
 func judge(case: MeasuredCase, _end: Vec2, path: PackedFloat64Array) -> void:
 	var exact := ExactPath.new()
-	exact.start(ball, _near())
-	exact.advance_to(path_seconds)
+	case.keep_refusal(exact.start(ball, _near()))
+	case.keep_refusal(exact.advance_to(path_seconds))
+	if case.refusal:
+		return
 	case.error = exact.position().distance_to(Vec2.new(path[-2], path[-1]))
 	case.figures["bounces"] = exact.bounces()
 	case.note = "after %d bounces" % exact.bounces()
 
 
-# Those that can be reached while the path is looked at.
+# The segments that the ball can reach within the path.
 func _near() -> Array[LineSegment]:
 	var reach := _SPEED * path_seconds + _RADIUS
 	return segments().filter(
@@ -63,7 +66,7 @@ func _make_segments(squares: int) -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 4
 	for square in _count:
-		# The walls take the places of four corners.
+		# The four walls replace the segments in the corners.
 		if not _is_corner(square, squares):
 			var middle := Vec2.new(_SQUARE * (square % squares + 0.5) - half, 0.0)
 			middle.y = _SQUARE * (floorf(float(square) / squares) + 0.5) - half

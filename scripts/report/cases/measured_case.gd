@@ -1,9 +1,9 @@
 @abstract class_name MeasuredCase
 extends RefCounted
-## One thing to be measured: a method, in a situation, run several times.
+## One case to measure: a method in a situation, run several times.
 ##
-## Whoever measures calls [method run_once] for each case in turn, again and again, so that a slow
-## moment of the machine hits all alike, and then asks for [method result].
+## The caller runs each case once by [method run_once], then each a second time, and so on, so that
+## a slow moment of the machine affects all alike. Then it asks for [method result].
 
 ## The problem's id; see [member Measurement.problem].
 var problem := ""
@@ -17,10 +17,10 @@ var tuning := ""
 var setting: String:
 	get:
 		return Measurement.setting_of(situation, tuning)
-## See [member Measurement.is_peer].
-var is_peer := false
-## Whether a run waits for physics frames of the engine. Then it is measured rightly only where
-## these come as fast as they can: headless with --fixed-fps.
+## See [member Measurement.is_baseline].
+var is_baseline := false
+## Whether a run waits for physics frames of the engine. Its run time is right only where these come
+## as fast as they can: headless with --fixed-fps.
 var needs_frames := false
 ## See [member Measurement.error]; known after the first run.
 var error := 0.0
@@ -30,15 +30,18 @@ var error_unit := "px"
 var note := ""
 ## See [member Measurement.figures].
 var figures: Dictionary[String, float] = {}
+## The first sentence with which a world refused what this case needs; "" if none did. Then the case
+## has measured nothing, and [method result] says so.
+var refusal := ""
 
 var _run_times: PackedFloat64Array = []
 
-## Runs it once and keeps the time by [method keep_run]; has to be awaited where [member
-## needs_frames] is set. In the quick form it takes at most about 50 ms.
+## Runs the case once and keeps its time by [method keep_run]. It must be awaited if
+## [member needs_frames] is set. In the quick form it takes at most about 50 ms.
 @abstract func run_once() -> void
 
 
-## Gives back what a case holds outside of itself, such as nodes, after the last run.
+## Frees what the case holds, such as nodes; call it after the last run.
 func finish() -> void:
 	pass
 
@@ -48,19 +51,26 @@ func keep_run(run_time_us: float) -> void:
 	_run_times.append(run_time_us)
 
 
-## How many runs have been kept.
+## Keeps the answer of a world that must not refuse, "" or a sentence.
+func keep_refusal(answer: String) -> void:
+	if refusal == "":
+		refusal = answer
+
+
+## The number of runs that have been kept.
 func runs() -> int:
 	return _run_times.size()
 
 
-## What has been found so far: the run time is the median of the runs, 0 before the first.
+## What has been found so far: the run time is the median of the runs, 0 before the first. A case
+## whose world has refused has no answer and no run time, and its note is the refusal.
 func result() -> Measurement:
 	var measurement := Measurement.new()
 	measurement.problem = problem
 	measurement.method = method
 	measurement.situation = situation
 	measurement.tuning = tuning
-	measurement.is_peer = is_peer
+	measurement.is_baseline = is_baseline
 	measurement.run_time_us = median(_run_times)
 	if runs() > 0:
 		measurement.lower_quartile_us = quantile(_run_times, 0.25)
@@ -69,10 +79,15 @@ func result() -> Measurement:
 	measurement.error_unit = error_unit
 	measurement.note = note
 	measurement.figures = figures.duplicate()
+	if refusal:
+		measurement.run_time_us = Measurement.NO_ANSWER
+		measurement.error = Measurement.NO_ANSWER
+		measurement.note = refusal
+		measurement.figures.clear()
 	return measurement
 
 
-## The middle one of the values, or the mean of the two middle ones; 0 if there is none.
+## The median: the middle value, or the mean of the two middle values; 0 if there is none.
 static func median(values: PackedFloat64Array) -> float:
 	return quantile(values, 0.5)
 

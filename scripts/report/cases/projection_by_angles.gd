@@ -1,6 +1,6 @@
 class_name ProjectionByAngles
 extends ScalarProjectionCase
-## The scalar projection the lecture's long way: atan2 twice, then the cosine.
+## The scalar projection by the lecture's long way: atan2 twice, then the cosine.
 
 
 ## See [ScalarProjectionCase].

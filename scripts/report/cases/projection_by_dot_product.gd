@@ -1,6 +1,6 @@
 class_name ProjectionByDotProduct
 extends ScalarProjectionCase
-## The scalar projection by the dot product, as Vec2 has it.
+## The scalar projection by the dot product: [method Vec2.scalar_projection].
 
 
 ## See [ScalarProjectionCase].

@@ -11,11 +11,11 @@ const LONG_AND_SHORT := "1e-30 to 1e30 px"
 ## All of them.
 const SITUATIONS: PackedStringArray = [EASY, PERPENDICULAR, LONG_AND_SHORT]
 
-## So many pairs of vectors make up a situation.
+## The number of pairs in each situation.
 const COUNT := 200
 
 
-## Pairs a, b one after the other, the same ones every time.
+## Pairs a, b one after the other, the same at every call.
 static func of(situation: String) -> Array[Vec2]:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 1
@@ -32,6 +32,6 @@ static func of(situation: String) -> Array[Vec2]:
 	return found
 
 
-# Never zero, and with all 53 bits: a cosine has them.
+# Never zero, and with all 53 bits, because a cosine has them.
 static func _vector(rng: RandomNumberGenerator) -> Vec2:
 	return Vec2.unit_radians(rng.randf() * TAU).scaled(rng.randf_range(1.0, 100.0))

@@ -7,7 +7,7 @@ const _QUICK_ROUNDS := 20
 
 var _rounds: int
 var _vectors: Array[Vec2]
-# Where each pair begins in _vectors.
+# The index at which each pair begins in _vectors.
 var _starts: PackedInt32Array = []
 
 
@@ -21,7 +21,7 @@ func _init(of_situation: String, is_quick: bool) -> void:
 	_starts = range(0, _vectors.size(), 2)
 
 
-## See [method MeasuredCase.run_once]: what the loop costs without the call is taken off.
+## See [method MeasuredCase.run_once]: the run time of the loop without the call is subtracted.
 func run_once() -> void:
 	if runs() == 0:
 		_find_error()
@@ -36,11 +36,11 @@ func run_once() -> void:
 ## Calls the function for all pairs.
 @abstract func _calls(rounds: int) -> void
 
-## What the function returns.
+## The result of the function for one pair.
 @abstract func _value(a: Vec2, b: Vec2) -> float
 
 
-# The same loop with the vectors fetched, and nothing done with them.
+# The same loop: it reads the vectors and does nothing with them.
 func _no_calls(rounds: int) -> void:
 	for i in rounds:
 		for pair in _starts:

@@ -1,18 +1,18 @@
 @abstract class_name ShotFlight
 extends FlightCase
-## The flight of one ball by one method, read after every step: where it ends, and what it takes.
+## The flight of one ball by one method, read after every step: its end, and its run time.
 
 const _FRAMES_PER_SECOND := 60
 
-## What is flown.
+## The shot that is flown.
 var shot: Shot
 
-# Where the ball was seen last: each step reads its place, as a game does that draws it.
+# The latest position of the ball. Each step reads it, as a game does to draw the ball.
 var _x := 0.0
 var _y := 0.0
 
 
-## A flight of this shot in so many steps a second: 60 or a multiple of it.
+## A flight of this shot with [param at_rate] steps a second: 60 or a multiple of it.
 func _init(of_shot: Shot, at_rate: int) -> void:
 	super(of_shot.seconds, at_rate)
 	shot = of_shot
@@ -20,7 +20,8 @@ func _init(of_shot: Shot, at_rate: int) -> void:
 	situation = shot.situation
 
 
-## A run of a shot that goes on begins where the last one has ended.
+## See [method MeasuredCase.run_once]. A run of a shot that goes on begins at the end of the last
+## run.
 func run_once() -> void:
 	if not shot.goes_on:
 		@warning_ignore("redundant_await")
@@ -29,8 +30,9 @@ func run_once() -> void:
 	if runs() == 0:
 		@warning_ignore("redundant_await")
 		await _find_error()
-	@warning_ignore("redundant_await")
-	await _fly(steps)
+	if not refusal:
+		@warning_ignore("redundant_await")
+		await _fly(steps)
 	keep_run(_spent / seconds)
 
 
@@ -41,6 +43,8 @@ func _find_error() -> void:
 		@warning_ignore("redundant_await")
 		await _set_up()
 		for frame in roundi(shot.path_seconds * _FRAMES_PER_SECOND):
+			if refusal:
+				return
 			@warning_ignore("redundant_await")
 			await _fly(floori(float(rate) / _FRAMES_PER_SECOND))
 			path.append(_x)

@@ -1,14 +1,14 @@
 class_name SpringDrop
 extends DropCase
-## The dropped ball on a floor that pushes it out as a spring does, the more the deeper it is: the
+## The dropped ball on a floor that pushes it out like a spring, harder the deeper it is: the
 ## penalty method, stepped by semi-implicit Euler.
 ##
-## The damping is what makes a bounce of the exact spring leave C of the speed: its share of the
-## critical one is -ln C / sqrt(pi^2 + ln^2 C); all of it for C = 0. That holds for the damped
-## spring as it is, which brakes a ball that leaves the floor, too. A step of semi-implicit Euler is
-## stable only while stiffness * step^2 < 4.
+## The damping is chosen so that a bounce of the exact spring leaves the fraction C of the speed:
+## the damping ratio is -ln C / sqrt(pi^2 + ln^2 C), and 1 for C = 0. This is the plain damped
+## spring, which also brakes a ball that leaves the floor. A step of semi-implicit Euler is stable
+## only while stiffness * step^2 < 4.
 
-## In 1/s^2: how much it accelerates the ball per pixel of depth.
+## The acceleration per pixel of depth, in 1/s^2.
 var stiffness: float
 
 var _damping: float
@@ -23,7 +23,7 @@ func _init(with_stiffness: float, with_bounciness: float, at_rate: int) -> void:
 	_damping = 2.0 * damping_share(bounciness) * sqrt(stiffness)
 
 
-## The share of the critical damping at which a bounce leaves this share of the speed.
+## The damping ratio (1 is critical damping) with which a bounce leaves this fraction of the speed.
 static func damping_share(of_bounciness: float) -> float:
 	if of_bounciness == 0.0:
 		return 1.0

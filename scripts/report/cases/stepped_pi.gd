@@ -1,12 +1,12 @@
 class_name SteppedPi
 extends PiCase
-## Two blocks and a wall in equal steps, the lecture's simple way: move both, look whether they are
-## in the wall or in each other, put back, bounce.
+## Two blocks and a wall in equal steps, the lecture's simple way: move both, test whether they
+## overlap the wall or each other, put them back, bounce.
 
 var _rate: int
 
 
-## Blocks for this n, in so many steps a second.
+## Blocks for this n, with [param at_rate] steps a second.
 func _init(of_n: int, at_rate: int) -> void:
 	super(of_n)
 	method = "stepped"

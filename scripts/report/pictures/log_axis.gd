@@ -1,17 +1,17 @@
 class_name LogAxis
 extends RefCounted
-## A logarithmic axis over whole decades, with a row of its own for 0 below and one for "no answer"
-## above, where they are needed.
+## A logarithmic axis over whole decades. If needed, it has a row for 0 at its low end and a row for
+## "no answer" at its high end.
 
-## What stands at the row of [constant Measurement.NO_ANSWER].
+## The label of the row for [constant Measurement.NO_ANSWER].
 const NONE_TEXT := "none"
 
 const _SUPERSCRIPTS := "⁰¹²³⁴⁵⁶⁷⁸⁹"
-# The rows for 0 and for no answer have this share of the height of all decades.
+# The height of each extra row, as a fraction of the height of all decades.
 const _ROW_SHARE := 0.1
-## The power of ten at which the decades begin.
+## The power of ten at the low end of the decades.
 var first := 0
-## The power of ten at which they end, above [member first].
+## The power of ten at their high end, above [member first].
 var last := 1
 ## Whether there is a row for 0.
 var has_zero := false
@@ -19,7 +19,7 @@ var has_zero := false
 var has_none := false
 
 
-## An axis on which these values find a place: 0 or above, or [constant Measurement.NO_ANSWER].
+## An axis for these values, which are 0 or more, or [constant Measurement.NO_ANSWER].
 func _init(values: PackedFloat64Array) -> void:
 	var least := INF
 	var greatest := 0.0
@@ -34,7 +34,7 @@ func _init(values: PackedFloat64Array) -> void:
 		last = maxi(ceili(_power(greatest)), first + 1)
 
 
-## Where a value stands: 0 at the low end of the axis, 1 at its high end.
+## The position of a value: 0 at the low end of the axis, 1 at its high end.
 func place(value: float) -> float:
 	if value == 0.0:
 		return 0.0
@@ -43,8 +43,8 @@ func place(value: float) -> float:
 	return (_power(value) - first + _rows_below()) / _length()
 
 
-## The values that have a mark and a label. Where there would be more than [param most] decades,
-## every second or third has one.
+## The values that have a mark and a label. With more than [param most] decades, only every second
+## or third has one.
 func ticks(most: int) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	if has_zero:
@@ -57,7 +57,7 @@ func ticks(most: int) -> PackedFloat64Array:
 	return found
 
 
-## What stands at a value of [method ticks], such as 10⁻⁹.
+## The label of a value of [method ticks], such as 10⁻⁹.
 static func label(value: float) -> String:
 	if value == 0.0:
 		return "0"

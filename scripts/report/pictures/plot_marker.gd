@@ -1,9 +1,9 @@
 class_name PlotMarker
 extends RefCounted
-## How a method is told from the others in a picture: by shape and colour together. The lab's own
-## are filled, the engine's and other libraries' hollow.
+## The marker of a method in a picture, with a shape and a colour of its own. Markers of the lab's
+## own methods are filled, those of baselines are hollow.
 
-## How the line of the frontier is dashed.
+## The dashes of the frontier, as SVG writes them.
 const DASHES := "7 5"
 
 ## Corners of the shapes around (0, 0), as x, y, x, y; the circle has none.
@@ -55,22 +55,22 @@ const _ROLES: Array[Palette.Role] = [
 	Palette.Role.WRONG,
 ]
 
-## A place in the list of shapes.
+## The index in the list of shapes.
 var shape: int
-## As SVG writes it.
+## The colour as SVG writes it.
 var color: String
 ## Whether only the outline is drawn.
 var is_hollow: bool
 
 
-## The marker of the method at this place among the lab's own, or among the peers.
-func _init(index: int, is_peer: bool) -> void:
+## The marker of the method with this index among the lab's own, or among the baselines.
+func _init(index: int, is_baseline: bool) -> void:
 	shape = index % _SHAPES.size()
 	color = SvgText.hex(Palette.color(_ROLES[index % _ROLES.size()]))
-	is_hollow = is_peer
+	is_hollow = is_baseline
 
 
-## The element; [param words] are shown when the pointer rests on it.
+## The SVG element; [param words] are shown when the pointer rests on it.
 func element(x: float, y: float, size: float, words: String = "") -> String:
 	var style := 'fill="%s" stroke="%s" stroke-width="2"' % [_fill(), color]
 	var title := "<title>%s</title>" % SvgText.escaped(words) if words else ""
@@ -83,21 +83,21 @@ func element(x: float, y: float, size: float, words: String = "") -> String:
 	return '<polygon points="%s" %s>%s</polygon>' % [" ".join(corners), style, title]
 
 
-## What stands around a point on the frontier.
+## The SVG element of the ring around a point on the frontier.
 static func ring(x: float, y: float) -> String:
 	var ink := SvgText.hex(Palette.color(Palette.Role.INK))
 	var style := 'fill="none" stroke="%s" stroke-width="2"' % ink
 	return '<circle cx="%.1f" cy="%.1f" r="13" %s/>' % [x, y, style]
 
 
-## One for each method, the lab's own first, in the order in which they come.
+## A marker for each method: the lab's own first, then the baselines, in order of appearance.
 static func for_methods(measurements: Array[Measurement]) -> Dictionary[String, PlotMarker]:
 	var found: Dictionary[String, PlotMarker] = {}
-	for is_peer: bool in [false, true]:
+	for is_baseline: bool in [false, true]:
 		var count := 0
 		for measurement in measurements:
-			if measurement.is_peer == is_peer and not found.has(measurement.method):
-				found[measurement.method] = PlotMarker.new(count, is_peer)
+			if measurement.is_baseline == is_baseline and not found.has(measurement.method):
+				found[measurement.method] = PlotMarker.new(count, is_baseline)
 				count += 1
 	return found
 

@@ -1,19 +1,19 @@
 class_name PlotPanel
 extends RefCounted
-## One situation of a problem in a picture: error over run time, both logarithmic.
+## One situation of a problem in a picture: error against run time, both on logarithmic axes.
 
 const _INK := Palette.Role.INK
 const _SMALL := 17
-# Room between the outermost points and the edge of the field.
+# The margin between the outermost points and the edge of the field.
 const _INSET := 16.0
 
-## The left edge of the field, and its upper one, width and height.
+## The left edge of the field.
 var left: float
-## See [member left].
+## The upper edge of the field.
 var top: float
-## See [member left].
+## The width of the field.
 var width: float
-## See [member left].
+## The height of the field.
 var height: float
 ## The horizontal axis.
 var times: LogAxis
@@ -47,7 +47,7 @@ func _draw_frontier(picture: SvgText, rows: Array[Measurement]) -> void:
 	picture.path(points, _color(_INK), 2.5, PlotMarker.DASHES)
 
 
-# A thin line joins the settings of a method.
+# A thin line that joins the settings of a method.
 func _draw_settings(picture: SvgText, rows: Array[Measurement], marker: PlotMarker) -> void:
 	var points: PackedFloat64Array = []
 	for row in rows:

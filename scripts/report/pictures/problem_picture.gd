@@ -1,10 +1,10 @@
 class_name ProblemPicture
 extends RefCounted
-## The picture of a problem: a panel for each situation, with axes in common, and the legend.
+## The picture of a problem: a panel for each situation, all with the same axes, and a legend.
 
 const _WIDTH := 1200
 const _MOST_COLUMNS := 3
-# Room around the panels for titles, numbers and the legend.
+# Margins around the panels for titles, numbers and the legend.
 const _TOP := 96.0
 const _MARGIN := 78.0
 const _GAP := 92.0
@@ -38,7 +38,7 @@ static func of(problem: ReportProblem, rows: Array[Measurement]) -> String:
 	return picture.to_text()
 
 
-## The situations that occur, in their order.
+## The situations of these measurements, in order of appearance.
 static func situations_in(rows: Array[Measurement]) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for row in rows:
@@ -53,7 +53,8 @@ static func in_situation(situation: String, rows: Array[Measurement]) -> Array[M
 
 
 static func _columns(count: int) -> int:
-	# Four stand better two by two; more than six would need too many rows.
+	# Four panels look better in two rows of two. More than six get a column more, so that two rows
+	# hold them.
 	if count == 4:
 		return 2
 	return mini(count, _MOST_COLUMNS if count <= 2 * _MOST_COLUMNS else _MOST_COLUMNS + 1)

@@ -1,13 +1,13 @@
 class_name SvgText
 extends RefCounted
-## Builds the text of a picture in SVG, element by element. Lengths are in the picture's own units.
+## Builds a picture as SVG text, element by element. Lengths are in the picture's own units.
 
 var _width: int
 var _height: int
 var _elements: PackedStringArray = []
 
 
-## An empty picture on paper of this size.
+## An empty picture of this size.
 func _init(width: int, height: int) -> void:
 	_width = width
 	_height = height
@@ -24,7 +24,7 @@ static func hex(color: Color) -> String:
 	return "#" + color.to_html(false)
 
 
-## What SVG may not take as its own: & < > and quotes.
+## The text with & < > and quotes escaped, so that SVG does not take them as markup.
 static func escaped(words: String) -> String:
 	return words.xml_escape(true)
 
@@ -75,12 +75,12 @@ func upright_text(words: String, x: float, y: float, size: int, color: String) -
 	)
 
 
-## An element that somebody else has built.
+## Adds an element that is SVG text already.
 func add(element: String) -> void:
 	_elements.append(element)
 
 
-## The whole file.
+## The complete file.
 func to_text() -> String:
 	var head := (
 		'<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" viewBox="0 0 %d %d" '

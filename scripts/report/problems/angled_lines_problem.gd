@@ -2,7 +2,7 @@ class_name AngledLinesProblem
 extends ReportProblem
 ## The third problem: one ball among angled lines, until it is a pixel off the exact path.
 
-# Steps a second.
+# The numbers of steps in a second.
 const _RATES: PackedInt32Array = [60, 240, 960]
 const _QUICK_RATES: PackedInt32Array = [60, 240]
 
@@ -12,8 +12,8 @@ func _init() -> void:
 	champion = BallInBoxProblem.EVENT_WORLD
 	title = "One ball among angled lines"
 	question = (
-		"Each bounce off lines and their ends makes an error grow. How many bounces of the exact path"
-		+ " (106 bits) does a method follow until it is 1 px off? The error is 1 over that number."
+		"Each bounce off lines and their ends multiplies an error. For how many bounces does a method"
+		+ " follow the exact path (106 bits) to 1 px? The error is 1 over that number."
 	)
 	error_axis = "1 / bounces until 1 px off"
 
@@ -29,6 +29,6 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 	return found
 
 
-## How many steps a second are tried.
+## The numbers of steps in a second that are measured.
 static func rates(is_quick: bool) -> PackedInt32Array:
 	return _QUICK_RATES if is_quick else _RATES

@@ -2,15 +2,15 @@ class_name BallInBoxProblem
 extends ReportProblem
 ## The second problem: one elastic ball in a box, for each method, speed, length and step.
 
-## Pixels per second.
+## The speeds of the ball, in pixels per second.
 const SPEEDS: PackedFloat64Array = [300.0, 3000.0, 30000.0]
-## Seconds of the short flight.
+## The simulated time of the short flight, in seconds.
 const SHORT := 10.0
-## Seconds of the long flight.
+## The simulated time of the long flight, in seconds.
 const LONG := 100.0
-## The method that is to be the best one.
+## The event world, asked in each frame.
 const EVENT_WORLD := "event world"
-## The same with a loop that follows the flights by itself.
+## The same with a loop that computes the straight flights itself.
 const FOLLOWED := "event world, flights followed"
 ## The same in one call for the whole flight.
 const ONE_CALL := "event world, one call"
@@ -22,7 +22,7 @@ func _init() -> void:
 	title = "One ball in a box"
 	question = (
 		"A ball of 10 px radius in a box of 600 x 400 px, without gravity, C = 1, read after each"
-		+ " step. The error is how far it ends from the exact place, which unfolding tells."
+		+ " step. The error is the distance of its end from the exact position, known by unfolding."
 	)
 
 
@@ -51,7 +51,7 @@ static func shots() -> Array[Shot]:
 	return found
 
 
-## How many steps a second are tried: few where a flight would take too long.
+## The numbers of steps in a second that are measured: few if a flight would take too long.
 static func rates(shot: Shot, is_quick: bool) -> PackedInt32Array:
 	if shot.seconds == LONG:
 		return [60] if is_quick else [60, 240, 960]

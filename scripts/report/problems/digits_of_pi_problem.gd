@@ -4,7 +4,7 @@ extends ReportProblem
 
 const _LAST := 7
 const _QUICK_LAST := 5
-# Steps a second.
+# The numbers of steps in a second.
 const _RATES: PackedInt32Array = [60, 960, 15360]
 
 
@@ -13,8 +13,8 @@ func _init() -> void:
 	champion = EventPi.METHOD
 	title = "Digits of pi from two blocks and a wall"
 	question = (
-		"A block 100^n times as heavy as the other pushes it against a wall; the impacts spell the"
-		+ " digits of pi. The error is how many impacts are missed or made up."
+		"A block 100^n times as heavy as another pushes it against a wall; the number of impacts gives"
+		+ " the digits of pi. The error is the difference from the right number."
 	)
 	run_time_axis = "run time, µs for all impacts"
 	error_axis = "impacts too few or too many"
@@ -30,6 +30,6 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 	return found
 
 
-## The n that are tried.
+## The values of n that are measured.
 static func numbers(is_quick: bool) -> PackedInt32Array:
 	return PackedInt32Array(range((_QUICK_LAST if is_quick else _LAST) + 1))

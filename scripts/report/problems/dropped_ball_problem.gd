@@ -2,11 +2,11 @@ class_name DroppedBallProblem
 extends ReportProblem
 ## The fifth problem: a dropped ball, by the usual ways of stepping, by springs, and exactly.
 
-# Steps a second.
+# The numbers of steps in a second.
 const _RATES: PackedInt32Array = [60, 240, 960]
 const _QUICK_RATES: PackedInt32Array = [60, 960]
 
-# Powers of ten, in 1/s^2.
+# The stiffnesses of the springs as powers of ten, in 1/s^2.
 const _STIFFNESSES: PackedInt32Array = [2, 3, 4, 5, 6, 7, 8, 9, 10]
 const _QUICK_STIFFNESSES: PackedInt32Array = [2, 4, 6, 8, 10]
 

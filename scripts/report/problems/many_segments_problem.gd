@@ -2,18 +2,18 @@ class_name ManySegmentsProblem
 extends ReportProblem
 ## The fourth problem: one ball among more and more segments, frame by frame.
 
-## How many segments there are.
+## The numbers of segments.
 const COUNTS: PackedInt32Array = [4, 64, 1024, 16384]
-## From where to where growth is judged.
+## The growth exponent is measured from this number of segments to [constant GROWTH_TO].
 const GROWTH_FROM := 64
 ## See [constant GROWTH_FROM].
 const GROWTH_TO := 16384
-## The event world that looks only at segments near the ball's way.
+## The event world that examines only the segments near the ball's way.
 const GRID := "event world, grid"
-## The event world that looks at all segments.
+## The event world that examines all segments.
 const SCAN := "event world, scan"
 
-# A frame is so many shares of a second.
+# Frames in a second.
 const _FRAMES := 60.0
 
 
@@ -22,8 +22,8 @@ func _init() -> void:
 	champion = GRID
 	title = "One ball among many segments"
 	question = (
-		"Short segments in a box, one for 80 x 80 px, a ball at 300 px/s, read 60 times a second. The"
-		+ " error is how far it is off the exact path (106 bits) after 2 s. Setting up is not counted."
+		"A ball at 300 px/s among short segments, one per 80 x 80 px, read 60 times a second. The error"
+		+ " is its distance from the exact path (106 bits) after 2 s. Setting up is not measured."
 	)
 
 
@@ -39,7 +39,7 @@ func cases(_is_quick: bool) -> Array[MeasuredCase]:
 	return found
 
 
-## See [method ReportProblem.remarks]: the time of a frame, and how it grows.
+## See [method ReportProblem.remarks]: the run time of a frame, and how it grows.
 func remarks(rows: Array[Measurement]) -> String:
 	var heads: PackedStringArray = []
 	for count in COUNTS:
@@ -63,7 +63,7 @@ func remarks(rows: Array[Measurement]) -> String:
 	return "\n".join(lines)
 
 
-## The run time of a method among so many segments; NaN where it was not measured.
+## The run time of a method among [param count] segments; NaN if it was not measured.
 static func time_of(method: String, count: int, rows: Array[Measurement]) -> float:
 	for row in rows:
 		if row.method == method and row.situation == ManySegmentsShot.situation_of(count):
@@ -71,7 +71,7 @@ static func time_of(method: String, count: int, rows: Array[Measurement]) -> flo
 	return NAN
 
 
-## The growth exponent of a method; NaN where it was not measured.
+## The growth exponent of a method; NaN if it was not measured.
 static func growth(method: String, rows: Array[Measurement]) -> float:
 	var times := time_of(method, GROWTH_TO, rows) / time_of(method, GROWTH_FROM, rows)
 	return log(times) / log(float(GROWTH_TO) / GROWTH_FROM)

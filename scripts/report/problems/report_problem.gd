@@ -1,28 +1,28 @@
 @abstract class_name ReportProblem
 extends RefCounted
-## A problem that several methods solve: what is asked, and who can be measured at it.
+## A problem that several methods solve: what is asked, and which methods are measured.
 ##
 ## [method cases] lists the lab's own methods. Those of the engine are in `scenes/engine_cases/`,
-## because nothing below `scripts/` may use nodes or physics.
+## because nothing in `scripts/` may use nodes or physics.
 
-## A word for files and tables, such as ball_in_box.
+## Its name in files and tables, such as ball_in_box.
 var id := ""
-## One line for people.
+## Its title for readers.
 var title := ""
 ## What is asked of the methods, and what their error is: one or two sentences.
 var question := ""
-## The method that the peers are put in relation to; "" for the most exact of the lab's own.
+## The method that the baselines are compared with; "" for the most exact of the lab's own.
 var champion := ""
-## The horizontal axis of the picture.
+## The title of the horizontal axis of the picture.
 var run_time_axis := "run time, µs per simulated second"
-## The vertical axis of the picture.
+## The title of the vertical axis of the picture.
 var error_axis := "error, px"
 
-## Fresh cases, none of them run yet. The quick form has fewer, and each run takes at most about
-## 50 ms.
+## New cases, none of them run yet. The quick form has fewer of them, and each run takes at most
+## about 50 ms.
 @abstract func cases(is_quick: bool) -> Array[MeasuredCase]
 
 
-## What else the report says of these measurements of it, in Markdown; "" for nothing.
+## A further section of the report about these measurements, in Markdown; "" for none.
 func remarks(_rows: Array[Measurement]) -> String:
 	return ""

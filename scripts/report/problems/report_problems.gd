@@ -1,9 +1,9 @@
 class_name ReportProblems
 extends RefCounted
-## The problems of the report, in their order.
+## The problems of the report, in order.
 
 
-## Fresh ones.
+## New objects for all problems.
 static func all() -> Array[ReportProblem]:
 	return [
 		ScalarProjectionProblem.new(),

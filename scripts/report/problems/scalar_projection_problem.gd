@@ -1,6 +1,7 @@
 class_name ScalarProjectionProblem
 extends ReportProblem
-## The first problem: the shadow of one vector on another, by angles and by the dot product.
+## The first problem: the scalar projection of one vector on another, by angles and by the dot
+## product.
 
 
 func _init() -> void:
@@ -8,10 +9,10 @@ func _init() -> void:
 	title = "The scalar projection of one vector on another"
 	question = (
 		(
-			"a . b / |b| for %d pairs of vectors, a call each. The error is the worst one,"
+			"a . b / |b| for %d pairs of vectors, one call each. The error is the largest one,"
 			% ProjectionPairs.COUNT
 		)
-		+ " as a share of the length of a, against 106 bits."
+		+ " as a fraction of the length of a, against 106 bits."
 	)
 	run_time_axis = "run time, µs per call"
 	error_axis = "worst error / |a|"

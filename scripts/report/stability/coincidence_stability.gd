@@ -1,7 +1,7 @@
 class_name CoincidenceStability
 extends StabilityFamily
-## Things that happen at the very same moment or lie at the very same place. Here all numbers are
-## whole, so that nothing is rounded and the answers are exact.
+## Events at the same time, and things at the same place. All numbers are whole, so that nothing is
+## rounded and the answers are exact.
 
 
 ## See [method StabilityFamily.cases].
@@ -62,7 +62,7 @@ func _try_tip(_is_quick: bool) -> StabilityResult:
 	return _way_back(_world(sides, [_ball(90.0, 0.0, 50.0, 0.0, 10.0)]), 4.0)
 
 
-# After the time there and back.
+# The balls after the time to the impact and back.
 func _way_back(world: EventWorld, seconds: float) -> StabilityResult:
 	var start := world.position(0)
 	var velocity := world.velocity(0)
@@ -107,7 +107,7 @@ func _try_cradle(_is_quick: bool) -> StabilityResult:
 	return _row(world, [0.0, 0.0, 0.0, 0.0, 0.0, 40.0])
 
 
-# Passed if the balls move along the row with exactly these velocities.
+# Passed if the balls of the row have exactly these velocities.
 func _row(world: EventWorld, wanted: PackedFloat64Array) -> StabilityResult:
 	var off := 0.0
 	for index in wanted.size():
@@ -116,8 +116,8 @@ func _row(world: EventWorld, wanted: PackedFloat64Array) -> StabilityResult:
 	return StabilityResult.new(figure, off == 0.0)
 
 
-# Both touch the first one at the same instant: which impact is counted first is a matter of
-# choice, but nothing may be lost with either.
+# Both balls touch the first one at the same time. Which impact comes first is a matter of choice,
+# but neither order may lose anything.
 func _try_break(_is_quick: bool) -> StabilityResult:
 	var balls: Array[Ball] = [
 		_ball(-100.0, 0.0, 40.0, 0.0, 10.0),

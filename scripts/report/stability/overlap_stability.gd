@@ -1,8 +1,8 @@
 class_name OverlapStability
 extends StabilityFamily
-## Starts that should not be: a ball that overlaps something already.
+## Invalid starts: a ball that overlaps something already.
 
-# Bounces without end show as well with so many as with the million of the world's own limit.
+# Endless bounces are recognized by this limit as well as by the world's own of a million.
 const _MOST_IMPACTS := 2000
 
 
@@ -47,7 +47,7 @@ func cases() -> Array[StabilityCase]:
 	]
 
 
-# 5 of 10 px deep above the line; down is into it.
+# The ball overlaps the line by 5 of its 10 px, from above. `down` is its speed into the line.
 func _try_segment(_is_quick: bool, down: float) -> StabilityResult:
 	var world := _world(
 		[_segment(-90.0, 0.0, 90.0, 0.0)], [_ball(3.0, -5.0, 7.0, down * 8.0, 10.0)]
@@ -67,7 +67,7 @@ func _try_centre(_is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(figure, world.impacts == 1 and off == 0.0)
 
 
-# Side by side, 5 of 20 px deep; each flies with 8 px/s, then with the other's velocity.
+# Two balls side by side overlap by 5 of 20 px. Each has 8 px/s, and then the other's velocity.
 func _try_balls(_is_quick: bool, inwards: float) -> StabilityResult:
 	var left := _ball(0.0, 0.0, inwards * 8.0, 4.0, 10.0)
 	var right := _ball(15.0, 0.0, -inwards * 8.0, 4.0, 10.0)
@@ -89,7 +89,7 @@ func _try_same_place(_is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(figure, is_right and lost <= 1e-12)
 
 
-# Nothing can be right here; what counts is that it ends, and that nothing is lost in silence.
+# No motion is right here. What matters is that the call ends, and that the world says so.
 func _try_caught(_is_quick: bool) -> StabilityResult:
 	var sides: Array[LineSegment] = [
 		_segment(-90.0, -6.0, 90.0, -6.0), _segment(-90.0, 6.0, 90.0, 6.0)

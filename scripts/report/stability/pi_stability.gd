@@ -1,13 +1,13 @@
 class_name PiStability
 extends StabilityFamily
-## Two blocks and a wall: the number of impacts spells pi, if not one of them is lost; and masses
-## that differ by up to 12 powers of ten.
+## Two blocks and a wall: if no impact is lost, their number gives the digits of pi. And balls whose
+## masses differ by up to 12 powers of ten.
 
-# For n = 0 to 6.
+# The number of impacts for n = 0 to 6.
 const _DIGITS: PackedInt32Array = [3, 31, 314, 3141, 31415, 314159, 3141592]
-# From here on the full form is long.
+# With this number of impacts or more, the full form is long.
 const _LONG := 314159
-# What the quick form counts instead.
+# The largest n of the quick form.
 const _QUICK_N := 4
 
 const _RATIOS: PackedFloat64Array = [1e-12, 1e-6, 7.0, 1e6, 1e12]

@@ -1,10 +1,9 @@
 class_name RefusalStability
 extends StabilityFamily
-## What no world can do is refused: one sentence with the value and what is allowed, and nothing has
-## changed.
+## A world refuses what it cannot do: it returns one sentence with the value and what is allowed,
+## and nothing has changed.
 
-# What no size can be. NaN and the infinities are written differently on paper, but str() is what
-# the sentences use.
+# Values that no size can have.
 const _NO_SIZES: PackedFloat64Array = [0.0, -1.0, NAN, INF]
 const _NOT_FINITE: PackedFloat64Array = [NAN, INF, -INF]
 
@@ -32,7 +31,7 @@ func _refused(title: String, trials: Callable) -> StabilityCase:
 	return _case(title, criterion, _try.bind(trials))
 
 
-# [param trials] takes a world and returns what it answered, each with what must stand in it.
+# [param trials] takes a world and returns its answers, each with the words that it must contain.
 func _try(_is_quick: bool, trials: Callable) -> StabilityResult:
 	var world := _world(
 		[_segment(-300.0, 90.0, 300.0, 120.0), _segment(300.0, 120.0, 200.0, -400.0)],
@@ -54,7 +53,7 @@ func _try(_is_quick: bool, trials: Callable) -> StabilityResult:
 	return StabilityResult.new(answers[-1][0], true)
 
 
-# Everything in the world, to the last bit.
+# The state of the whole world, to the last bit.
 func _all_of(world: EventWorld) -> Array:
 	var kept := world.snapshot()
 	return [kept.time, kept.time_low, kept.impacts, kept.contents, kept.counted, kept.arrays]

@@ -1,7 +1,7 @@
 class_name RestStability
 extends StabilityFamily
-## Balls that gravity presses on something for a long time: they must lie, slide or roll on it, and
-## neither sink in nor bounce without end.
+## Balls that gravity presses against something for a long time: they must lie, slide or roll on it,
+## and neither sink in nor bounce for ever.
 
 const _GRAVITY := 500.0
 const _RADIUS := 10.0

@@ -1,20 +1,20 @@
 class_name ScaleStability
 extends StabilityFamily
-## The same flight in a box at very different speeds, sizes, places and time steps. Unfolding tells
-## the exact end: between two walls a ball moves like its shadow on a mirrored line.
+## The same flight in a box at very different speeds, sizes, places and time steps. Unfolding gives
+## the exact end: between two walls each coordinate is that of a straight flight, folded back.
 
 const _SPEEDS: PackedFloat64Array = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9]
 const _RADII: PackedFloat64Array = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6]
 const _STEPS: PackedFloat64Array = [1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6]
 const _STEPS_MADE := 500
-# The paths are about that many pixels long.
+# The length of the paths, about, in pixels.
 const _WAY := 10000.0
 const _FAR_AWAY := 1e12
 
 const _WIDTH := 800.0
 const _HEIGHT := 600.0
 const _RADIUS := 10.0
-# A direction that is no simple fraction.
+# The slope of the path: no simple fraction.
 const _ACROSS := 0.8387
 const _DOWN := 0.5446
 
@@ -76,7 +76,7 @@ func _try_far_away(_is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(figure, near.impacts == far.impacts and in_places <= 64.0)
 
 
-# The ball makes the same way whatever the step is.
+# The ball moves the same way for every step length.
 func _try_step(_is_quick: bool, seconds: float) -> StabilityResult:
 	var speed := _WAY / (_STEPS_MADE * seconds)
 	var stepped := _box_world(_WIDTH, _HEIGHT, speed, _RADIUS)
@@ -100,7 +100,7 @@ func _box_ball(width: float, height: float, speed: float, radius: float) -> Ball
 	return _ball(width * 0.375, height * 0.25, _ACROSS * speed, _DOWN * speed, radius)
 
 
-# How far the ball is from where unfolding has it.
+# The distance of the ball from its exact position by unfolding.
 func _error_of_end(
 	world: EventWorld, width: float, height: float, speed: float, radius: float
 ) -> float:
@@ -109,7 +109,7 @@ func _error_of_end(
 	return world.position(0).distance_to(Vec2.new(x, y))
 
 
-# Where a point that has moved on to [param place] is between two mirrors.
+# The position of a point that moved to [param place], folded back between two walls.
 func _folded(place: float, low: float, high: float) -> float:
 	var there_and_back := 2.0 * (high - low)
 	var way := fposmod(place - low, there_and_back)

@@ -1,13 +1,13 @@
 class_name SeamStability
 extends StabilityFamily
-## Floors of many pieces, and gaps that hardly let a ball through.
+## Floors of many segments, and gaps that a ball just fits through.
 
 const _PIECES := 1000
 const _QUICK_PIECES := 60
 const _PIECE_LENGTH := 8.0
 const _RADIUS := 10.0
 const _GAP := 1e-12
-# Where there would be 10^12, so many show as well as the million of the world's own limit.
+# The limit of impacts for a case with 10^12 of them, in place of the world's own of a million.
 const _MOST_IMPACTS := 2000
 
 
@@ -52,7 +52,7 @@ func cases() -> Array[StabilityCase]:
 	]
 
 
-# The ball lies on the first segment and is pushed.
+# The ball lies on the first segment and has a speed along the floor.
 func _try_sliding(is_quick: bool) -> StabilityResult:
 	var count := _QUICK_PIECES if is_quick else _PIECES
 	var world := _world(_floor(count), [_ball(4.0, -_RADIUS, 100.0, 0.0, _RADIUS)])
@@ -79,7 +79,8 @@ func _try_touching(is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(figure, world.impacts == 0 and off == 0.0)
 
 
-# Down in half a second, then up and down in one second, in which it flies over one piece.
+# The ball falls for half a second. Then each bounce takes one second, in which it passes one
+# segment.
 func _try_bouncing(is_quick: bool) -> StabilityResult:
 	var count := _QUICK_PIECES if is_quick else _PIECES
 	var world := _world(_floor(count), [_ball(4.0, -_RADIUS - 32.0, _PIECE_LENGTH, 0.0, _RADIUS)])
@@ -110,7 +111,7 @@ func _try_too_narrow(_is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(sentence, sentence != "" and is_inside)
 
 
-# A ball that flies 1000 px a second to the right between two walls that are 1000 px long.
+# A ball that flies to the right with 1000 px/s between two walls that are 1000 px long.
 func _channel(speed_across: float) -> EventWorld:
 	var half := _RADIUS + 0.5 * _GAP
 	return _world(

@@ -1,15 +1,15 @@
 class_name ShotStability
 extends StabilityFamily
-## Nothing ever gets through a wall: shots at every speed inside closed rooms; and a flight that is
-## turned round finds its way back.
+## Nothing ever passes through a wall: shots at every speed inside closed rooms. And a reversed
+## flight retraces its path.
 
 const _SHOTS := 1000000
 const _QUICK_SHOTS := 200
 const _RADIUS := 5.0
-# A shot flies up to so far, through a room of some 600 px.
+# The longest way of a shot in pixels; the room is about 600 px wide.
 const _LONGEST_WAY := 800.0
 const _BOUNCES_BACK := 30
-# Where there would be millions, so many show as well as the million of the world's own limit.
+# The limit of impacts for a case with millions of them, in place of the world's own of a million.
 const _MOST_IMPACTS := 1000
 
 
@@ -35,7 +35,8 @@ func cases() -> Array[StabilityCase]:
 	]
 
 
-# Each shot begins where the one before has ended, so that a ball that gets out is seen for ever.
+# Each shot begins where the last one ended, so that a ball that gets out stays outside and is
+# noticed.
 func _try_shots(is_quick: bool) -> StabilityResult:
 	var room := StarRoom.new()
 	var ball := _ball(0.0, 0.0, 0.0, 0.0, _RADIUS)
@@ -67,8 +68,8 @@ func _try_too_fast(_is_quick: bool) -> StabilityResult:
 	return StabilityResult.new(sentence, sentence != "" and is_inside)
 
 
-# A room without corners that stick into it, and lines in it: an end of a line would make an error
-# grow by the factor 10 or more.
+# A convex room without lines in it: at the end of a line, an error would grow by a factor of 10 or
+# more.
 func _try_reversed(_is_quick: bool) -> StabilityResult:
 	var lines := _polygon(
 		[

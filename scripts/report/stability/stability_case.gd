@@ -1,17 +1,17 @@
 class_name StabilityCase
 extends RefCounted
-## One stiff or extreme case: what is tried, what must hold, and the trial itself.
+## One stiff or extreme case: its title, its criterion, and the trial itself.
 
-## What is tried, in the student's language.
+## What is tried, in the language of the user interface.
 var title: String
-## What must hold, in the student's language.
+## What must hold, in the language of the user interface.
 var criterion: String
 ## Whether the full form takes more than about half a second. The tests run the quick form then.
 var is_long := false
 ## How the quick form differs, such as "1000 shots"; "" where both are the same.
 var quick_form := ""
 
-# Takes whether the quick form is wanted, and returns a StabilityResult.
+# Takes is_quick: bool and returns a StabilityResult.
 var _trial: Callable
 
 
@@ -27,13 +27,13 @@ func _to_string() -> String:
 	return title
 
 
-## Says that the full form is long, and what the quick form is.
+## Marks the full form as long and describes the quick form. Returns the case itself.
 func with_quick_form(text: String) -> StabilityCase:
 	quick_form = text
 	is_long = true
 	return self
 
 
-## Tries it; the quick form takes about 50 ms at most.
+## Runs the trial. The quick form takes about 50 ms at most.
 func run(is_quick: bool = false) -> StabilityResult:
 	return _trial.call(is_quick)

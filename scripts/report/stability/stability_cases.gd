@@ -3,7 +3,7 @@ extends RefCounted
 ## All stiff and extreme cases, in the order of the table.
 
 
-## Fresh cases, none of them tried yet.
+## New cases, none of them tried yet.
 static func all() -> Array[StabilityCase]:
 	var families: Array[StabilityFamily] = [
 		PiStability.new(),

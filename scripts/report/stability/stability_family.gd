@@ -2,36 +2,35 @@
 extends RefCounted
 ## Stiff and extreme cases of one kind, and what their trials share.
 
-## The first sentence with which something was refused that a trial needs; "" as long as there is
-## none.
+## The first sentence with which a world refused what a trial needs; "" if none did.
 var refusal := ""
 
-## Fresh cases of this kind.
+## New cases of this kind.
 @abstract func cases() -> Array[StabilityCase]
 
 
-# Notes what a world answered where it must not refuse.
+# Keeps the answer of a world that must not refuse, "" or a sentence.
 func _need(problem: String) -> void:
 	if refusal == "":
 		refusal = problem
 
 
-# A case whose trial is a method of this family, or one with arguments bound. The lambda keeps the
-# family alive as long as the case; a method's name alone would not.
+# A case whose trial is a method of this family, possibly with bound arguments. The lambda keeps the
+# family alive as long as the case; a Callable of the method alone would not.
 func _case(title: String, criterion: String, trial: Callable) -> StabilityCase:
 	return StabilityCase.new(
 		title, criterion, func(is_quick: bool) -> StabilityResult: return _tried(trial, is_quick)
 	)
 
 
-# A world that refused something during the trial has failed, and its sentence is the figure.
+# A trial whose world refused something has failed, and the refusal is its figure.
 func _tried(trial: Callable, is_quick: bool) -> StabilityResult:
 	refusal = ""
 	var result: StabilityResult = trial.call(is_quick)
 	return StabilityResult.new(refusal, false) if refusal else result
 
 
-# A world in which nothing has happened yet.
+# A new world with these segments and balls.
 func _world(segments: Array[LineSegment], balls: Array[Ball]) -> EventWorld:
 	var world := EventWorld.new()
 	_need(world.set_segments(segments))
@@ -43,7 +42,7 @@ func _segment(from_x: float, from_y: float, to_x: float, to_y: float) -> LineSeg
 	return LineSegment.new(Vec2.new(from_x, from_y), Vec2.new(to_x, to_y))
 
 
-# A closed way round through these points.
+# The closed polygon through these points.
 func _polygon(corners: Array[Vec2]) -> Array[LineSegment]:
 	var sides: Array[LineSegment] = []
 	for index in corners.size():
@@ -65,6 +64,6 @@ func _at_most(value: float, bound: float, unit: String = "") -> StabilityResult:
 	return StabilityResult.new(figure, value <= bound)
 
 
-# Passed if as many were counted as wanted.
+# Passed if the count is the one wanted.
 func _counted(count: int, wanted: int) -> StabilityResult:
 	return StabilityResult.new(str(count), count == wanted)

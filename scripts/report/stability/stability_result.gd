@@ -1,9 +1,8 @@
 class_name StabilityResult
 extends RefCounted
-## What became of a [StabilityCase].
+## The result of a [StabilityCase].
 
-## What was measured, in words and with its unit; or the sentence with which the world refused to go
-## on.
+## What was measured, in words and with its unit; or the sentence with which a world refused.
 var figure: String
 ## Whether the criterion holds.
 var passed: bool

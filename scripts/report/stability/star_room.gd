@@ -1,16 +1,16 @@
 class_name StarRoom
 extends RefCounted
-## A closed room of 14 segments in the form of a star, with corners that stick into it.
+## A closed room of 14 segments in the form of a star, with corners that point inwards.
 
 const _CORNERS := 14
-# Every other corner is near the middle.
+# The distances of the corners from the middle in pixels, in turn.
 const _FAR := 300.0
 const _NEAR := 170.0
 
 ## Its sides, from corner to corner.
 var sides: Array[LineSegment] = []
 
-# x and y of the corners, the first one once more at the end.
+# The x and y of the corners; the first corner is repeated at the end.
 var _x: PackedFloat64Array = []
 var _y: PackedFloat64Array = []
 
@@ -27,11 +27,12 @@ func _init() -> void:
 		)
 
 
-## How far a point is from the nearest side, in pixels; negative outside of the room. A point that
-## is not finite gives no number above 0. Plain numbers: it is asked a million times.
+## The distance of a point from the nearest side in pixels; negative outside the room. For a point
+## that is not finite it is not above 0. The arguments are plain numbers, because it is called a
+## million times.
 func depth_of(x: float, y: float) -> float:
 	var nearest := INF
-	# A ray to the right meets the sides an odd number of times from inside.
+	# From inside, a ray to the right crosses the sides an odd number of times.
 	var is_inside := false
 	for side in _CORNERS:
 		var along_x := _x[side + 1] - _x[side]

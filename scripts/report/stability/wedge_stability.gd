@@ -1,7 +1,7 @@
 class_name WedgeStability
 extends StabilityFamily
-## A ball shot into a wedge comes out again after a number of bounces that unfolding tells: the
-## mirrored wedges stand around the corner like the slices of a cake, the path is a straight line
+## A ball shot into a wedge comes out again after a number of bounces that unfolding gives: the
+## mirrored wedges lie around the corner like the slices of a cake, the path is a straight line
 ## through them, and it crosses one of their sides at each bounce.
 
 const _DEGREES: PackedFloat64Array = [60.0, 10.0, 1.0, 0.01]
@@ -9,10 +9,11 @@ const _DEGREES: PackedFloat64Array = [60.0, 10.0, 1.0, 0.01]
 const _QUICK_DEGREES := 1.0
 
 const _RADIUS := 10.0
-# How far from the corner the ball's centre begins, seen from where its own way would have a corner.
+# The distance of the ball's centre at the start from the corner of the wedge in which the centre
+# can move, in pixels.
 const _START := 1e5
-# How far beside that corner the path leads, as a share of the wedge's angle. The path crosses
-# floor(180 degrees / wedge + 1/2 - share) sides, and 1/2 - share is far from a whole number.
+# The direction of the shot, as a fraction of the wedge's angle off the middle. The path crosses
+# floor(180 degrees / wedge + 1/2 - this) sides, and 1/2 - this is far from a whole number.
 const _SHARE := 0.2
 
 
@@ -38,7 +39,7 @@ func _try_wedge(is_quick: bool, degrees: float) -> StabilityResult:
 	if is_quick:
 		degrees = maxf(degrees, _QUICK_DEGREES)
 	var half := Vec2.deg_to_rad(degrees / 2.0)
-	# The ball's centre moves in a wedge that is narrower by its radius on each side.
+	# The ball's centre can move in a wedge whose sides are one radius inside those of the wedge.
 	var corner_x := _RADIUS / sin(half)
 	var far := corner_x + 10.0 * _START
 	var direction := Vec2.unit_degrees(180.0 - _SHARE * degrees)

@@ -1,10 +1,10 @@
 class_name ZenoStability
 extends StabilityFamily
-## Bounces that pile up: a dropped ball that keeps the share C of its speed bounces infinitely often
-## in finite time. And one that keeps all of it bounces for ever.
+## Bounces that pile up: a dropped ball that keeps the fraction C of its speed bounces infinitely
+## often in finite time. And a ball that keeps all of its speed bounces for ever.
 
 const _BOUNCINESSES: PackedFloat64Array = [0.0, 0.5, 0.9, 0.99, 0.999]
-# The liveliest ball of the quick form.
+# The largest bounciness of the quick form.
 const _QUICK_BOUNCINESS := 0.99
 const _GRAVITY := 1000.0
 const _HEIGHT := 200.0
@@ -44,7 +44,7 @@ func _rest_case(title: String, bounciness: float, slope: float) -> StabilityCase
 	return case
 
 
-# Down once, then up and down for ever: t (1 + 2 C + 2 C^2 + ...) = t (1 + C) / (1 - C).
+# One fall, then infinitely many hops: t (1 + 2 C + 2 C^2 + ...) = t (1 + C) / (1 - C).
 func _rest_time(bounciness: float, slope_degrees: float) -> float:
 	var pull := _GRAVITY * cos(Vec2.deg_to_rad(slope_degrees))
 	return sqrt(2.0 * _HEIGHT / pull) * (1.0 + bounciness) / (1.0 - bounciness)
@@ -61,7 +61,7 @@ func _try_rest(is_quick: bool, bounciness: float, slope_degrees: float) -> Stabi
 	_need(world.set_bounciness(bounciness))
 	var wanted := _rest_time(bounciness, slope_degrees)
 	_need(world.advance(wanted + 1.0))
-	# The last flight, in which the ball lies or slides, begins with the rest.
+	# The last flight, in which the ball lies or slides, begins when it comes to rest.
 	var error := absf(world.flight_start(0) - wanted)
 	var figure := tr("bounces: %d, rest off by %s s") % [world.impacts, NumberText.size(error)]
 	return StabilityResult.new(figure, error <= 1e-9 and world.is_resting(0))

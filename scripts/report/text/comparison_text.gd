@@ -5,8 +5,8 @@ extends RefCounted
 const _EXPLANATION := (
 	"Run time now over run time then: below 1 is faster. The spread in brackets goes from the lower to"
 	+ " the upper quartile of the runs of one report, or over all reports where several are given. A"
-	+ " ratio in bold differs from 1 by more than its spread. Peers are the engine's own methods and"
-	+ " other libraries. They have not changed, so their median is what the machine itself did."
+	+ " ratio in bold differs from 1 by more than its spread. Baselines are the engine's own"
+	+ " methods and other libraries. They have not changed, so their median is what the machine did."
 )
 
 
@@ -27,13 +27,13 @@ static func of(ratios: Array[RunTimeRatio], old_count: int, new_count: int) -> S
 	return "\n\n".join(parts) + "\n"
 
 
-## One sentence: the medians of the lab's own methods and of their peers.
+## One sentence: the medians of the lab's own methods and of their baselines.
 static func summary(ratios: Array[RunTimeRatio]) -> String:
 	var medians: Array[String] = []
-	for peers: bool in [false, true]:
-		var median := RunTimeRatio.median_of(ratios, peers)
+	for baselines: bool in [false, true]:
+		var median := RunTimeRatio.median_of(ratios, baselines)
 		medians.append(_number(median) if is_finite(median) else "none")
-	return "Median of now / then: the lab's own methods %s, peers %s." % medians
+	return "Median of now / then: the lab's own methods %s, baselines %s." % medians
 
 
 static func _cell(one: RunTimeRatio) -> String:

@@ -1,12 +1,12 @@
 class_name LibraryText
 extends RefCounted
-## Where other libraries win: what the report says of them when they were measured, too.
+## The section of the report on where other libraries win, if they were measured.
 
-## How they are named in tables.
+## Their names in tables.
 const LIBRARIES: PackedStringArray = ["Box2D", "Chipmunk"]
 
 
-## A section of the report; "" where no library was measured.
+## The section in Markdown; "" if no library was measured.
 static func of(problems: Array[ReportProblem], measurements: Array[Measurement]) -> String:
 	var lines: PackedStringArray = []
 	var is_measured := false
@@ -25,8 +25,8 @@ static func of(problems: Array[ReportProblem], measurements: Array[Measurement])
 	return "## Where Box2D and Chipmunk win\n\n" + "\n".join(lines)
 
 
-# A line for the fastest setting of a library if it is faster, and for its most exact one if it is
-# more exact, than the champion at the same.
+# A line for the fastest setting of a library if it is faster than the champion, and a line for its
+# most exact setting if that is more exact.
 static func _wins(
 	problem: ReportProblem, champions: Array[Measurement], theirs: Array[Measurement]
 ) -> PackedStringArray:

@@ -2,15 +2,15 @@ class_name ReportGoal
 extends RefCounted
 ## A goal of the report, and whether the measurements reach it.
 
-## What is asked for.
+## What the goal is about.
 var what := ""
 ## The bound, as text.
 var wanted := ""
 ## What was measured, as text.
 var measured := "not measured in this run"
-## Whether there was something to judge.
+## Whether this run has measured what the goal needs.
 var is_judged := false
-## Whether the bound was kept; means nothing unless [member is_judged].
+## Whether the goal is reached; it has a meaning only if [member is_judged].
 var is_reached := false
 
 
@@ -30,7 +30,7 @@ func at_most(value: float, bound: float) -> ReportGoal:
 	return _judge(value, value <= bound)
 
 
-## What stands in the table.
+## The verdict for the table.
 func verdict() -> String:
 	if not is_judged:
 		return "-"

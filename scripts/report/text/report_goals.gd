@@ -1,35 +1,35 @@
 class_name ReportGoals
 extends RefCounted
-## What the event world has to reach, as ratios of one run, and what the measurements say of it.
+## The goals of the event world, as ratios within one run, and whether the measurements reach them.
 
-## The ways to use the event world that are judged, and what is said of them.
+## The ways to use the event world that are judged, with their words for the table.
 const WAYS: Dictionary[String, String] = {
 	BallInBoxProblem.ONE_CALL: "in one call for the whole flight",
 	BallInBoxProblem.EVENT_WORLD: "called each frame",
 	BallInBoxProblem.FOLLOWED: "flights followed by the caller",
 }
-## How many times faster than move_and_collide at 60 Hz, by speed in px/s. At the last the ball
-## bounces more than once a frame.
+## The least ratio to the run time of move_and_collide at 60 Hz, by speed in px/s. At the highest
+## speed the ball bounces more than once a frame.
 const BOX_RATIOS: Dictionary[float, float] = {300.0: 2.5, 3000.0: 2.5, 30000.0: 1.5}
-## Pixels after the long flight in the box.
+## The largest error after the long flight in the box, in pixels.
 const BOX_ERROR := 1e-9
-## The growth of the time of a frame with the number of segments.
+## The largest growth exponent of the run time of a frame with the number of segments.
 const GROWTH := 0.05
-## How many times faster than the engine's concave shape.
+## The least ratio to the run time of the engine's concave shape.
 const SEGMENTS_RATIO := 3.0
-## From so many segments on.
+## The least number of segments at which that ratio is judged.
 const SEGMENTS_FROM := 1024
-## So many balls are judged.
+## The number of balls that is judged.
 const CROWD := 1000
-## How many times faster than RigidBody2D, by its rate.
+## The least ratio to the run time of RigidBody2D, by its rate.
 const CROWD_RATIOS: Dictionary[int, float] = {60: 1.0, 240: 3.0}
-## The drift of the energy of all balls, as a share of it.
+## The largest drift of the energy of all balls, as a fraction of it.
 const CROWD_DRIFT := 1e-12
-## Pixels by which two balls may overlap.
+## The deepest overlap of two balls, in pixels.
 const CROWD_OVERLAP := 1e-9
 
 
-## Every goal, judged where this run has measured what it needs.
+## All goals; each is judged if this run has measured what it needs.
 static func of(measurements: Array[Measurement]) -> Array[ReportGoal]:
 	var box := Measurement.of_problem("ball_in_box", measurements)
 	var found: Array[ReportGoal] = [_frontier(box)]
@@ -65,8 +65,8 @@ static func _box_ratio(rows: Array[Measurement], speed: float, method: String) -
 	for shot in BallInBoxProblem.shots():
 		if shot.situation.begins_with("%d px/s," % speed):
 			for form: String in ["segments", "concave shape"]:
-				var peer := _time(rows, "move_and_collide, " + form, shot.situation)
-				least = minf(least, peer / _time(rows, method, shot.situation))
+				var baseline := _time(rows, "move_and_collide, " + form, shot.situation)
+				least = minf(least, baseline / _time(rows, method, shot.situation))
 	var bound := BOX_RATIOS[speed]
 	var goal := ReportGoal.new(
 		(
@@ -109,8 +109,8 @@ static func _segments_ratio(rows: Array[Measurement], method: String, way: Strin
 	for count in ManySegmentsProblem.COUNTS:
 		if count >= SEGMENTS_FROM:
 			var own := ManySegmentsProblem.time_of(method, count, rows)
-			var peer := "move_and_collide, concave shape"
-			least = minf(least, ManySegmentsProblem.time_of(peer, count, rows) / own)
+			var baseline := "move_and_collide, concave shape"
+			least = minf(least, ManySegmentsProblem.time_of(baseline, count, rows) / own)
 	var goal := (
 		ReportGoal
 		. new(
@@ -129,23 +129,26 @@ static func _crowd(rows: Array[Measurement]) -> Array[ReportGoal]:
 	var own := _row(rows, EventCrowd.METHOD, situation, 60)
 	var found: Array[ReportGoal] = []
 	for rate in CROWD_RATIOS:
-		var peer := _row(rows, "RigidBody2D", situation, rate)
+		var baseline := _row(rows, "RigidBody2D", situation, rate)
 		var bound := CROWD_RATIOS[rate]
 		var goal := ReportGoal.new(
 			"%d balls: times faster than RigidBody2D at %d Hz" % [CROWD, rate],
 			"at least %s" % bound
 		)
 		found.append(
-			goal.at_least(peer.run_time_us / own.run_time_us if own and peer else NAN, bound)
+			goal.at_least(
+				baseline.run_time_us / own.run_time_us if own and baseline else NAN, bound
+			)
 		)
 	var drift := ReportGoal.new("%d balls: drift of the energy" % CROWD, "at most 1e-12")
 	var overlap := ReportGoal.new("%d balls: worst overlap, px" % CROWD, "at most 1e-9")
-	found.append(drift.at_most(own.figures["energy drift"] if own else NAN, CROWD_DRIFT))
+	var energy_drift: float = own.figures.get("energy drift", INF) if own else NAN
+	found.append(drift.at_most(energy_drift, CROWD_DRIFT))
 	found.append(overlap.at_most(own.error if own else NAN, CROWD_OVERLAP))
 	return found
 
 
-# The measurement of a method at a rate; null where there is none.
+# The measurement of a method at a rate; null if there is none.
 static func _row(
 	rows: Array[Measurement], method: String, situation: String, rate: int
 ) -> Measurement:
@@ -155,7 +158,7 @@ static func _row(
 	return null
 
 
-# The run time of a method at 60 Hz, or in one call; NaN where it was not measured.
+# The run time of a method at 60 Hz, or in one call; NaN if it was not measured.
 static func _time(rows: Array[Measurement], method: String, situation: String) -> float:
 	for row in ProblemPicture.in_situation(situation, rows):
 		if row.method == method and row.tuning in ["60 Hz", OneCallFlight.TUNING]:

@@ -1,9 +1,9 @@
 class_name ReportText
 extends RefCounted
-## The text of report.md: for each problem who is on the frontier, and by what ratios.
+## The text of report.md: for each problem, which methods are on the frontier, and by what ratios.
 
 
-## The whole text. [param circumstances] says where and how it was measured.
+## The complete text. [param circumstances] says where and how it was measured.
 static func of(
 	problems: Array[ReportProblem], measurements: Array[Measurement], circumstances: String
 ) -> String:
@@ -12,7 +12,7 @@ static func of(
 		circumstances,
 		(
 			"A method is on the frontier of a situation if no other is at least as good in error and in"
-			+ " run time and better in one of them. Peers are the engine's own methods and other"
+			+ " run time and better in one of them. Baselines are the engine's own methods and other"
 			+ " libraries. Every number is in [error_vs_time.csv](error_vs_time.csv)."
 		),
 		_goals(measurements),

@@ -11,8 +11,8 @@ extends RefCounted
 var problem := ""
 ## The method and its setting.
 var title := ""
-## See [member Measurement.is_peer].
-var is_peer := false
+## See [member Measurement.is_baseline].
+var is_baseline := false
 ## The new run time over the old one; both are the medians of the reports on their side.
 var ratio := 0.0
 ## The least ratio within the spread; NAN where a side has no spread.
@@ -40,11 +40,11 @@ static func of(olds: Array[Array], news: Array[Array]) -> Array[RunTimeRatio]:
 	return found
 
 
-## The middle one of the ratios of the lab's own methods, or of its peers; NAN if there is none.
-static func median_of(ratios: Array[RunTimeRatio], peers: bool) -> float:
+## The middle one of the ratios of the lab's own methods, or of its baselines; NAN if there is none.
+static func median_of(ratios: Array[RunTimeRatio], baselines: bool) -> float:
 	var values: PackedFloat64Array = []
 	for one in ratios:
-		if one.is_peer == peers:
+		if one.is_baseline == baselines:
 			values.append(one.ratio)
 	return MeasuredCase.median(values) if values.size() > 0 else NAN
 
@@ -53,7 +53,7 @@ static func _of_rows(olds: Array[Measurement], news: Array[Measurement]) -> RunT
 	var made := RunTimeRatio.new()
 	made.problem = news[0].problem
 	made.title = "%s, %s" % [news[0].method, news[0].setting]
-	made.is_peer = news[0].is_peer
+	made.is_baseline = news[0].is_baseline
 	var old := _spread(olds)
 	var new := _spread(news)
 	made.ratio = new[1] / old[1]
@@ -77,10 +77,14 @@ static func _same_row(row: Measurement, reports: Array[Array]) -> Array[Measurem
 	var found: Array[Measurement] = []
 	for report in reports:
 		for other: Measurement in report:
-			if _key(other) == _key(row) and other.run_time_us > 0.0:
+			if _key(other) == _key(row) and _has_time(other):
 				found.append(other)
 				break
 	return found
+
+
+static func _has_time(row: Measurement) -> bool:
+	return row.run_time_us > 0.0 and is_finite(row.run_time_us)
 
 
 static func _key(row: Measurement) -> Array:

@@ -1,43 +1,44 @@
 class_name SituationText
 extends RefCounted
-## What the report says of one situation of a problem: one item of a list.
+## The text of the report on one situation of a problem: one item of a list.
 
 
-## The frontier, how the best peers stand to the method [param champion] (or to the most exact of
-## the lab's own), and who gave no answer.
+## The frontier, how the best baselines compare with the method [param champion] (or with the most
+## exact of the lab's own), and which methods gave no answer.
 static func of(situation: String, rows: Array[Measurement], champion: String) -> String:
 	var text := "- **%s**: on the frontier %s." % [situation, _names(Frontier.of(rows))]
 	var champions := rows.filter(func(row: Measurement) -> bool: return row.method == champion)
 	var own := fastest(champions, false) if champion else most_exact(rows, false)
 	if own:
-		text += _against(own, fastest(rows, true), "fastest peer")
-		var exact_peer := most_exact(rows, true)
-		if exact_peer != fastest(rows, true):
-			text += _against(own, exact_peer, "most exact peer")
+		text += _against(own, fastest(rows, true), "fastest baseline")
+		var exact_baseline := most_exact(rows, true)
+		if exact_baseline != fastest(rows, true):
+			text += _against(own, exact_baseline, "most exact baseline")
 	return text + _without_answer(rows)
 
 
-## The fastest of the lab's own or of the peers that gave an answer; null if there is none.
-static func fastest(rows: Array[Measurement], is_peer: bool) -> Measurement:
+## The fastest method with an answer, among the lab's own or among the baselines; null if there is
+## none.
+static func fastest(rows: Array[Measurement], is_baseline: bool) -> Measurement:
 	var best: Measurement = null
 	for row in rows:
-		if row.is_peer == is_peer and row.has_answer():
+		if row.is_baseline == is_baseline and row.has_answer():
 			if best == null or row.run_time_us < best.run_time_us:
 				best = row
 	return best
 
 
-## The one with the smallest error, the faster one of equal ones; null if there is none.
-static func most_exact(rows: Array[Measurement], is_peer: bool) -> Measurement:
+## The method with the smallest error, and of equal ones the faster; null if there is none.
+static func most_exact(rows: Array[Measurement], is_baseline: bool) -> Measurement:
 	var best: Measurement = null
 	for row in rows:
-		if row.is_peer == is_peer and row.has_answer():
+		if row.is_baseline == is_baseline and row.has_answer():
 			if best == null or _is_more_exact(row, best):
 				best = row
 	return best
 
 
-## Method and tuning, without the situation.
+## The name of method and tuning, without the situation.
 static func name_of(row: Measurement) -> String:
 	return row.method if row.tuning == "" else "%s (%s)" % [row.method, row.tuning]
 
@@ -56,16 +57,17 @@ static func _names(rows: Array[Measurement]) -> String:
 	return "; ".join(texts)
 
 
-static func _against(own: Measurement, peer: Measurement, words: String) -> String:
-	if peer == null:
+static func _against(own: Measurement, baseline: Measurement, words: String) -> String:
+	if baseline == null:
 		return ""
-	var times := FigureText.ratio(peer.run_time_us, own.run_time_us)
-	var errors := FigureText.ratio(peer.error, own.error)
+	var times := FigureText.ratio(baseline.run_time_us, own.run_time_us)
+	var errors := FigureText.ratio(baseline.error, own.error)
 	var text := (
-		" The %s, %s, takes %s times as long as %s" % [words, name_of(peer), times, name_of(own)]
+		" The %s, %s, takes %s times as long as %s"
+		% [words, name_of(baseline), times, name_of(own)]
 	)
 	if errors == "-":
-		return text + " and is %s off." % FigureText.of(peer)
+		return text + " and is %s off." % FigureText.of(baseline)
 	return text + " and is %s times as far off." % errors
 
 

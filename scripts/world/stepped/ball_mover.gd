@@ -1,32 +1,36 @@
 @abstract class_name BallMover
 extends RefCounted
-## Moves one ball by one frame among lines: the assignment of the lecture, part 16. Each way of
-## doing it is a class of its own.
+## Moves one ball among lines for one frame: the assignment of the lecture, part 16. Each way of
+## stepping is a class of its own.
 
-## Pixels per second. An approach slower than this is the rounding of a ball that lies on a line,
-## not a bounce.
+## Pixels per second. A slower approach is no bounce: it is the rounding of a ball that lies on a
+## line.
 const SLOWEST_BOUNCE := 1e-6
 
-## Moves [param ball] by [param seconds] and returns its bounces in their order.
+## The sentence with which the latest [method move] refused to move its ball to the end of the
+## frame; "" if it did not.
+var refusal := ""
+
+## Moves [param ball] for [param seconds] and returns its bounces in order.
 @abstract func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]
 
 
-## The mover of a copied world: the same, unless it remembers something of the balls.
+## The mover for a copy of the world: this mover, unless it remembers something about the balls.
 func for_copy() -> BallMover:
 	return self
 
 
-## Moves the ball along its free flight; nothing is in its way.
+## Moves the ball along its free flight, without looking for lines.
 func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
 	ball.position.add(FreeFlight.motion(ball.velocity, gravity, seconds))
 	ball.velocity = FreeFlight.velocity_after(ball.velocity, gravity, seconds)
 
 
-## Moves the ball if no line is near its way, as most are in most frames: the quick answer for many
-## balls. False where it has to be looked at more closely; then nothing has moved.
+## Moves the ball if no line is near its way, which is so for most balls in most frames. Returns
+## false if a line is near; then the ball has not moved.
 func fly_clear(ball: Ball, seconds: float, surroundings: Surroundings) -> bool:
-	# FreeFlight.motion and velocity_after written out, because this is what most balls do in most
-	# frames: with the calls a step of fifty balls took 1.4 times as long.
+	# FreeFlight.motion and velocity_after are written out, because most balls do this in most
+	# frames: with the calls, a step of fifty balls took 1.4 times as long.
 	var position := ball.position
 	var velocity := ball.velocity
 	var gravity := surroundings.gravity
@@ -43,15 +47,16 @@ func fly_clear(ball: Ball, seconds: float, surroundings: Surroundings) -> bool:
 
 
 ## Puts the ball at the point of impact of a flight of [param seconds], with the velocity that it
-## has got there.
+## has there.
 func fly_to(ball: Ball, impact: Impact, seconds: float, gravity: Vec2) -> void:
 	var way := impact.position.minus(ball.position)
-	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.time)
+	ball.velocity = FreeFlight.velocity_at(ball.velocity, gravity, way, seconds * impact.fraction)
 	ball.position = impact.position
 
 
-## Bounces the ball, which is at the point of impact, off what it has touched. Adds a record to
-## [param bounces] unless it only lies there; a ball that does not approach keeps its velocity.
+## Bounces the ball, which is at the point of impact, off what it touches, and adds a record to
+## [param bounces]. A ball that does not approach keeps its velocity. An approach slower than
+## [constant SLOWEST_BOUNCE] adds no record.
 func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[BounceRecord]) -> void:
 	var before := ball.velocity.copy()
 	Bounce.apply(ball.velocity, impact.normal, bounciness)
@@ -60,7 +65,7 @@ func bounce(ball: Ball, impact: Impact, bounciness: float, bounces: Array[Bounce
 	var record := BounceRecord.new()
 	record.position = ball.position.copy()
 	record.normal = impact.normal
-	record.time = impact.time
+	record.fraction = impact.fraction
 	record.velocity_before = before
 	record.velocity_after = ball.velocity.copy()
 	bounces.append(record)

@@ -1,16 +1,16 @@
 class_name BounceRecord
 extends RefCounted
-## One bounce as it happened: what a lesson shows of it.
+## One bounce of a ball, for a lesson to show.
 
-## Which ball, by its place among all.
+## The index of the ball in its world.
 var ball_index := 0
 ## The ball's centre at the impact, in pixels.
 var position: Vec2
-## From the line to the ball; length 1.
+## The contact normal, from the line towards the ball; length 1.
 var normal: Vec2
-## Pixels per second, just before the bounce.
+## The velocity just before the bounce, in pixels per second.
 var velocity_before: Vec2
-## Pixels per second, just after it.
+## The velocity just after the bounce, in pixels per second.
 var velocity_after: Vec2
-## The share t of the motion that was made before the impact, 0..1.
-var time := 0.0
+## The fraction t of the motion that was made before the impact, 0..1.
+var fraction := 0.0

@@ -1,18 +1,19 @@
 class_name EventMover
 extends BallMover
-## The way past the lecture: each ball has an [EventWorld] of its own, because here balls do not
-## touch each other. Its next impact is worked out once, from exact formulas, and stays true for as
-## many frames as nothing changes.
+## Goes beyond the lecture: each ball flies in an [EventWorld] of its own, because in a
+## [SteppedWorld] balls do not touch each other. The next impact is computed once, from exact
+## formulas, and holds for all frames until something changes.
 ##
-## It remembers the balls that it moves: a world that is copied gets another mover, see
+## The mover remembers the balls that it moves, so a copied world gets a new one; see
 ## [method for_copy].
 
-## More impacts than this within one second, as between two lines that touch a ball on both sides,
-## and the ball stays where it is. Larger lets such a place take longer than a frame.
+## A ball with more impacts than this within one second stays where it is, such as a ball between
+## two lines that touch it on both sides. A larger number would let such a ball take longer than a
+## frame.
 const MOST_IMPACTS := 2000
 
 var _worlds: Dictionary[Ball, EventWorld] = {}
-# Which surroundings the worlds were made of, and how often those had changed then.
+# The surroundings for which the worlds were made, and their count of changes at that time.
 var _surroundings: Surroundings
 var _changes := -1
 
@@ -22,15 +23,16 @@ static func world_of(ball: Ball, surroundings: Surroundings) -> EventWorld:
 	var world := EventWorld.new()
 	world.most_impacts_per_second = MOST_IMPACTS
 	world.keeps_events = true
-	world.set_gravity(surroundings.gravity)
-	world.set_bounciness(surroundings.bounciness)
-	world.set_segments(surroundings.segments)
-	world.set_balls([ball])
+	# What a SteppedWorld takes, an EventWorld takes: its limits are wider.
+	Refusal.push(world.set_gravity(surroundings.gravity))
+	Refusal.push(world.set_bounciness(surroundings.bounciness))
+	Refusal.push(world.set_segments(surroundings.segments))
+	Refusal.push(world.set_balls([ball]))
 	return world
 
 
-## What a lesson shows of an event; [param frame_start] and [param seconds] say which share of a
-## frame had passed.
+## The record of an event. The frame starts at [param frame_start] and lasts [param seconds]; from
+## these follows the fraction of the frame before the event.
 static func record_of(
 	event: WorldEvent, radius: float, frame_start: float, seconds: float
 ) -> BounceRecord:
@@ -39,23 +41,23 @@ static func record_of(
 	record.normal = event.normal
 	record.velocity_before = event.velocity_before
 	record.velocity_after = event.velocity_after
-	record.time = (event.time - frame_start) / seconds
+	record.fraction = (event.time - frame_start) / seconds
 	return record
 
 
-## A mover of its own: two worlds never share what is remembered of a ball.
+## A new mover: two worlds never share what is remembered about a ball.
 func for_copy() -> BallMover:
 	return EventMover.new()
 
 
-## See [method BallMover.move]. Coming to rest and sliding off an end are no bounces.
+## See [method BallMover.move]. Coming to rest and sliding off an end do not count as bounces.
 func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[BounceRecord]:
 	_forget_where_changed(surroundings)
 	if not _knows(ball):
 		_worlds[ball] = world_of(ball, surroundings)
 	var world := _worlds[ball]
 	var frame_start := world.time
-	world.advance(seconds)
+	refusal = world.advance(seconds)
 	ball.position = world.position(0)
 	ball.velocity = world.velocity(0)
 	var bounces: Array[BounceRecord] = []
@@ -73,7 +75,7 @@ func _forget_where_changed(surroundings: Surroundings) -> void:
 		_changes = surroundings.changes
 
 
-# A ball that somebody else has moved since the last frame is predicted anew.
+# False for a ball that something else has moved since the last frame: it gets a new world.
 func _knows(ball: Ball) -> bool:
 	var world: EventWorld = _worlds.get(ball)
 	if not world:

@@ -1,26 +1,26 @@
 class_name FramePart
 extends RefCounted
-## A part of a frame from one bounce to the next: how long it lasts, what pulls, and which lines
-## cannot be touched in it because the ball lies on them or has just left them.
+## A part of a frame, from one bounce to the next: how long it lasts, which acceleration acts, and
+## which lines are left out because the ball lies on them or has just left them.
 
-## Seconds. A ball that would come back to the line it has left sooner than this lies on it: it
-## slides instead of making endless ever smaller hops. Larger swallows hops that can be seen.
+## Seconds. A ball that would be back at a line sooner than this lies on it: it slides instead of
+## making ever smaller hops. A larger value would swallow hops that can be seen.
 const SHORTEST_HOP := 1.0 / 480.0
 
-# Shares of gravity or speed below this are rounding.
+# Fractions of gravity or speed below this are rounding.
 const _NOTHING := 1e-9
 
 ## Seconds that are left of the frame.
 var left: float
-## Seconds that this part lasts at most.
+## The longest time in seconds that this part can last.
 var seconds: float
-## Gravity, or what of it the line leaves on which the ball lies.
+## The acceleration in px/s²: gravity, or its part along the line on which the ball lies.
 var pull: Vec2
-## Places of the lines that are left out.
+## The indices of the lines that are left out.
 var skipped: PackedInt32Array = []
 
 var _gravity: Vec2
-# The line on which the ball lies, and its normal.
+# The index of the line on which the ball lies, -1 for none, and its normal.
 var _support := -1
 var _support_normal := Vec2.new()
 
@@ -32,16 +32,17 @@ func _init(frame_seconds: float, gravity: Vec2) -> void:
 	_fly_freely()
 
 
-## Goes on after a part without impact.
+## Ends this part after a flight without impact.
 func pass_by() -> void:
 	left -= seconds
 	_fly_freely()
 
 
-## Goes on after an impact that [param ball] has come out of: it leaves the line, or lies on it. A
-## ball that lies in a corner of two lines comes to rest and has no part left.
+## Ends this part after an impact, with the velocity of [param ball] after it: the ball leaves the
+## line, or lies on it. A ball that lies in a corner of two lines comes to rest, and no part is
+## left.
 func leave(ball: Ball, impact: Impact, has_bounced: bool) -> void:
-	left -= seconds * impact.time
+	left -= seconds * impact.fraction
 	if hop_seconds(ball.velocity, impact.normal, _gravity) < SHORTEST_HOP:
 		_lie_on(ball, impact)
 	elif has_bounced or _support < 0:
@@ -52,8 +53,8 @@ func leave(ball: Ball, impact: Impact, has_bounced: bool) -> void:
 		_hop(ball, impact)
 
 
-## Seconds until [param pull] has brought a ball back that leaves a line with this normal: 2 v / g
-## along the normal. Infinite where it is not pressed on the line.
+## Seconds until gravity brings a ball back to the line that it leaves: 2 v / g along the normal.
+## Infinite if gravity does not press the ball against the line.
 static func hop_seconds(velocity: Vec2, normal: Vec2, gravity: Vec2) -> float:
 	var press := -gravity.dot(normal)
 	if press <= _NOTHING * gravity.length():
@@ -68,7 +69,8 @@ func _fly_freely() -> void:
 	_support = -1
 
 
-# The way back to the line is curved; the straight way of the whole part would miss it.
+# The way back to the line is curved, so a straight way over the whole part would miss the line. The
+# part ends when the ball is back.
 func _hop(ball: Ball, impact: Impact) -> void:
 	var hop := hop_seconds(ball.velocity, impact.normal, pull)
 	seconds = minf(hop, left)

@@ -1,10 +1,10 @@
 class_name PointOfImpactMover
 extends BallMover
-## Part 13 of the lecture as most write it: goes to the first point of impact, bounces, and leaves
-## it at that.
+## Part 13 of the lecture as most people write it: the ball goes to the first point of impact and
+## bounces, and the frame ends there.
 ##
-## The rest of the frame is lost: the ball waits there while gravity goes on pulling, so it loses
-## energy, and each bounce makes it late.
+## The rest of the frame is lost. The ball waits while gravity still acts, so it loses energy, and
+## each bounce makes it late.
 
 
 ## See [method BallMover.move].
@@ -20,5 +20,5 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 		return bounces
 	fly_to(ball, impact, seconds, gravity)
 	bounce(ball, impact, surroundings.bounciness, bounces)
-	ball.velocity.add(gravity.scaled(seconds * (1.0 - impact.time)))
+	ball.velocity.add(gravity.scaled(seconds * (1.0 - impact.fraction)))
 	return bounces

@@ -1,9 +1,10 @@
 class_name PositionResetMover
 extends BallMover
-## The simple way, part 12 of the lecture: moves the ball, looks where it is now, puts it back.
+## The simple way, part 12 of the lecture: moves the ball, tests whether it overlaps a line, and
+## puts it back.
 ##
-## It has moved the whole frame and is lifted back against gravity, so it gains energy; and it sees
-## no line that it has flown over.
+## The ball has moved for the whole frame and is lifted back against gravity, so it gains energy. It
+## passes through a line if it is beyond it at the end of the frame.
 
 
 ## See [method BallMover.move].
@@ -11,7 +12,7 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 	var bounces: Array[BounceRecord] = []
 	fly(ball, seconds, surroundings.gravity)
 	for segment in _overlapping(ball, surroundings):
-		# Being put back from one line may have freed the ball from the next.
+		# Putting the ball back from one line may have freed it from the next.
 		var overlap := SegmentOverlap.with_segment(ball.position, ball.radius, segment)
 		if overlap.hit:
 			ball.position = overlap.position

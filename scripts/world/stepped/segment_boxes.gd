@@ -1,12 +1,12 @@
 class_name SegmentBoxes
 extends RefCounted
-## Says quickly which segments a moving ball cannot touch, so that only the others are looked at.
+## Finds the segments that a moving ball may touch, so that only these are examined.
 ##
-## Plain numbers in packed arrays, because this runs for every ball and segment in every frame. It
-## never rejects a segment that is touched: [constant SLACK] is far above what rounding can change.
+## All numbers are in packed arrays, because this runs for every ball and segment in every frame. No
+## touched segment is ever left out: [constant SLACK] is far larger than any rounding error.
 
-## Pixels by which a segment may be missed and is still looked at. Larger costs time, smaller than
-## the rounding of coordinates (1e-9 at a million pixels) could lose an impact.
+## Pixels by which the ball may miss a segment that is still examined. A larger value costs time.
+## One below the rounding of coordinates (1e-9 at a million pixels) could lose an impact.
 const SLACK := 1e-6
 
 var _left: PackedFloat64Array = []
@@ -18,7 +18,7 @@ var _normal_y: PackedFloat64Array = []
 var _offset: PackedFloat64Array = []
 
 
-## Looks at these segments from now on; they must not be changed in place.
+## Searches among these segments, which must not be changed in place.
 func _init(segments: Array[LineSegment]) -> void:
 	for segment in segments:
 		var normal := segment.normal()
@@ -31,8 +31,8 @@ func _init(segments: Array[LineSegment]) -> void:
 		_offset.append(segment.start.dot(normal))
 
 
-## The places of the segments that a ball may touch while it moves by [param motion], in their
-## order: those whose box meets the box around the motion, and whose line it does not stay clear of.
+## The indices of the segments that a ball may touch while it moves by [param motion], in order:
+## those whose bounding box meets that of the motion, and whose infinite line the ball reaches.
 func near(position: Vec2, motion: Vec2, radius: float) -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	var x := position.x

@@ -1,14 +1,14 @@
 class_name StepHistory
 extends RefCounted
-## The past of one or more worlds, frame by frame, to the last bit: what a step back needs.
+## The past of one or more worlds, frame by frame, to the last bit, for stepping back.
 
-## So many frames are kept: 15 seconds at 60 a second. The oldest go first.
+## Frames to keep: 15 seconds at 60 frames a second. The oldest are dropped first.
 const LONGEST := 900
 
 var _frames: Array[Array] = []
 
 
-## Keeps what the worlds are like before a step.
+## Keeps the state of the worlds; call it before a step.
 func remember(worlds: Array[SteppedWorld]) -> void:
 	var states: Array[PackedFloat64Array] = []
 	for world in worlds:
@@ -18,17 +18,17 @@ func remember(worlds: Array[SteppedWorld]) -> void:
 		_frames.pop_front()
 
 
-## Puts the same worlds back to before the latest step that is kept. False where none is.
+## Puts the same worlds back to the state before the latest step. False if no step is kept.
 func go_back(worlds: Array[SteppedWorld]) -> bool:
 	if _frames.is_empty():
 		return false
 	var states: Array[PackedFloat64Array] = _frames.pop_back()
 	for i in worlds.size():
-		worlds[i].put_state(states[i])
+		Refusal.push(worlds[i].put_state(states[i]))
 	return true
 
 
-## How many steps can be gone back.
+## The number of steps back that are possible.
 func size() -> int:
 	return _frames.size()
 

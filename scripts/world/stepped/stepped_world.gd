@@ -1,18 +1,15 @@
 class_name SteppedWorld
 extends RefCounted
-## Balls among lines, moved frame by frame as the course does: what each way of stepping keeps and
-## loses can be compared. The balls do not touch each other.
+## Balls among lines, moved frame by frame as in the course. Its [member mover] is the way of
+## stepping, so that different ways can be compared. The balls do not touch each other.
 ##
-## What cannot be taken is refused: [method set_balls], [method step] and [method put_state] return
-## "" or one sentence with the value and what is allowed, and then nothing has changed.
+## What cannot be taken is refused: [method set_balls], [method step], [method change_ball] and
+## [method put_state] return "", or one sentence with the value and what is allowed; then nothing
+## has changed.
 
-## How a frame is stepped: see [PositionResetMover], [PointOfImpactMover], [WholeFrameMover],
-## [EventMover].
-enum Method { POSITION_RESET, POINT_OF_IMPACT, WHOLE_FRAME, EVENT_WORLD }
-
-## Pixels. A ball further than this from the origin, in x or y, is lost: it is no longer moved.
+## Pixels. A ball farther than this from the origin in x or y is lost: it is no longer moved.
 const REACH := 800.0
-## Seconds that one step may last.
+## The longest step, in seconds.
 const LONGEST_STEP := 1.0
 
 const _NUMBERS_IN_FRONT := 3
@@ -22,39 +19,32 @@ const _NUMBERS_PER_BALL := 5
 var surroundings := Surroundings.new()
 ## Read them; change them by [method set_balls].
 var balls: Array[Ball] = []
-## 1 where the ball at that place in [member balls] is lost.
+## For each ball, 1 if it is lost, otherwise 0.
 var is_lost: PackedByteArray = []
 ## Steps made so far.
 var frames := 0
 ## Bounces of all balls so far.
 var bounces := 0
-## How often a ball was lost so far, whether or not it was brought back.
+## How often a ball has been lost so far, brought back or not.
 var losses := 0
 ## The bounces of the latest step.
 var latest_bounces: Array[BounceRecord] = []
 ## What moves the balls.
-var mover: BallMover = WholeFrameMover.new()
+var mover: BallMover
 
-# 1 where the last frame has changed nothing at a ball: then the next one will not either, as long
-# as nothing else changes. Balls that lie still cost nothing.
+# For each ball, 1 if the last frame did not change it. Then the next frame will not either, as long
+# as nothing else changes, and the ball is skipped.
 var _is_still: PackedByteArray = []
-# What the frame was like for which that was found out.
+# The step length, surroundings and mover for which that holds.
 var _frame_kind: Array = []
 
 
-## The way of stepping that belongs to [param method].
-static func mover_of(method: Method) -> BallMover:
-	match method:
-		Method.POSITION_RESET:
-			return PositionResetMover.new()
-		Method.POINT_OF_IMPACT:
-			return PointOfImpactMover.new()
-		Method.EVENT_WORLD:
-			return EventMover.new()
-	return WholeFrameMover.new()
+## An empty world whose balls are moved by [param with_mover], such as a [WholeFrameMover].
+func _init(with_mover: BallMover) -> void:
+	mover = with_mover
 
 
-## Takes copies of these balls in place of the old ones, and counts anew.
+## Replaces all balls by copies of these, and sets all counters to 0.
 func set_balls(new_balls: Array[Ball]) -> String:
 	var copies: Array[Ball] = []
 	for ball in new_balls:
@@ -74,20 +64,25 @@ func set_balls(new_balls: Array[Ball]) -> String:
 
 
 ## Moves every ball that is not lost by [param seconds], above 0 and at most
-## [constant LONGEST_STEP].
+## [constant LONGEST_STEP]; another number is refused. Where the [member mover] refuses to move a
+## ball to the end of the step, that ball stays where it got to, the others move on, and the
+## mover's sentence is returned.
 func step(seconds: float) -> String:
 	if not (seconds > 0.0 and seconds <= LONGEST_STEP):
 		return "A step must last above 0 and at most 1 s, not %s." % seconds
 	frames += 1
 	latest_bounces.clear()
 	_wake_where_changed(seconds)
+	var refusal := ""
 	for i in balls.size():
 		if is_lost[i] == 0 and _is_still[i] == 0:
 			_move(i, seconds)
-	return ""
+			if mover.refusal and not refusal:
+				refusal = mover.refusal
+	return refusal
 
 
-## Puts one ball elsewhere and gives it another velocity; a lost one is back in play.
+## Sets position and velocity of one ball; a lost ball is back in play.
 func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
 	var changed := Ball.new(position, balls[index].radius, velocity, balls[index].mass)
 	var problem := _problem_of(changed)
@@ -96,26 +91,26 @@ func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
 	return problem
 
 
-## Brings a lost ball back to where [param ball] is, as fast as that.
+## Replaces a lost ball by a copy of [param ball], which is in play.
 func bring_back(index: int, ball: Ball) -> void:
 	balls[index] = ball.copy()
 	is_lost[index] = 0
 	_wake()
 
 
-## Whether a ball at [param position] is not lost.
+## Whether a ball at [param position] is in play, not lost.
 static func reaches(position: Vec2) -> bool:
 	# Not "greater": of NaN every comparison is false.
 	return absf(position.x) <= REACH and absf(position.y) <= REACH
 
 
-## How many balls are lost now.
+## The number of balls that are lost now.
 func lost_count() -> int:
 	return is_lost.count(1)
 
 
-## The place of the ball at [param point], or within [param reach] pixels of its edge; -1 for none.
-## Lost balls are not found.
+## The index of the ball whose edge is nearest to [param point], at most [param reach] pixels away;
+## -1 if there is none. Lost balls are not found.
 func ball_at(point: Vec2, reach: float) -> int:
 	var nearest := -1
 	var least := reach
@@ -127,8 +122,8 @@ func ball_at(point: Vec2, reach: float) -> int:
 	return nearest
 
 
-## The energy of all balls that are not lost: m (v^2 / 2 - g . x), with the height counted from
-## [method Surroundings.deepest]. In px^2/s^2 for a mass of 1.
+## The energy of all balls that are not lost, in px^2/s^2 times mass: m (v^2 / 2 + g h) with the
+## height h above [method Surroundings.deepest].
 func energy() -> float:
 	var sum := 0.0
 	var deepest := surroundings.deepest()
@@ -139,12 +134,11 @@ func energy() -> float:
 	return sum
 
 
-## A world that shares nothing with this one but the way of stepping, and has counted nothing yet.
-## With [param only] it holds none but the ball at that place.
+## A copy with all counters at 0. It shares nothing with this world but the mover, and that only if
+## the mover remembers nothing. With [param only] it holds only the ball with that index.
 func copy(only: int = -1) -> SteppedWorld:
-	var other := SteppedWorld.new()
+	var other := SteppedWorld.new(mover.for_copy())
 	other.surroundings = surroundings.copy()
-	other.mover = mover.for_copy()
 	for i in balls.size():
 		if only < 0 or only == i:
 			other.balls.append(balls[i].copy())
@@ -153,7 +147,7 @@ func copy(only: int = -1) -> SteppedWorld:
 	return other
 
 
-## All that moves, as plain numbers: counters, then place, velocity and loss of each ball.
+## The moving part as plain numbers: the counters, then position, velocity and loss of each ball.
 func state() -> PackedFloat64Array:
 	var packed: PackedFloat64Array = [frames, bounces, losses]
 	for i in balls.size():
@@ -164,7 +158,7 @@ func state() -> PackedFloat64Array:
 	return packed
 
 
-## Puts back what [method state] has told, to the last bit.
+## Puts back what [method state] has returned, to the last bit.
 func put_state(packed: PackedFloat64Array) -> String:
 	var wanted := _NUMBERS_IN_FRONT + _NUMBERS_PER_BALL * balls.size()
 	if packed.size() != wanted:

@@ -1,11 +1,11 @@
 class_name Surroundings
 extends RefCounted
-## What acts on a ball: lines, gravity, and how bouncy the lines are.
+## What acts on a ball: the lines, gravity, and the bounciness of the lines.
 ##
-## What cannot be taken is refused: each `set_` method returns "" or one sentence with the value and
-## what is allowed, and then nothing has changed.
+## Values that are out of range are refused: each `set_` method returns "", or one sentence with the
+## value and what is allowed; then nothing has changed.
 
-## Coordinates, speeds and gravity stay within this, in pixels, seconds and their quotients.
+## The largest size of coordinates, speeds and gravity, in pixels, px/s and px/s².
 const LARGEST := 1e6
 
 ## Read it; change it by [method set_segments].
@@ -14,13 +14,13 @@ var segments: Array[LineSegment] = []
 var gravity := Vec2.new()
 ## The coefficient of restitution C, 0..1. Read it; change it by [method set_bounciness].
 var bounciness := 1.0
-## Counts the changes made so far, so that others see that there was one.
+## The number of changes so far. Whoever has computed something from the surroundings compares it.
 var changes := 0
 
 var _boxes := SegmentBoxes.new([])
 
 
-## Takes copies of these segments in place of the old ones.
+## Replaces all segments by copies of these.
 func set_segments(new_segments: Array[LineSegment]) -> String:
 	var copies: Array[LineSegment] = []
 	for segment in new_segments:
@@ -34,7 +34,7 @@ func set_segments(new_segments: Array[LineSegment]) -> String:
 	return ""
 
 
-## Takes this gravity from now on.
+## Sets gravity.
 func set_gravity(new_gravity: Vec2) -> String:
 	if not is_within(new_gravity):
 		return "Gravity must be within -1e6..1e6 px/s² in x and y, not %s." % new_gravity
@@ -43,7 +43,7 @@ func set_gravity(new_gravity: Vec2) -> String:
 	return ""
 
 
-## Takes this bounciness from now on.
+## Sets the bounciness.
 func set_bounciness(new_bounciness: float) -> String:
 	if not (new_bounciness >= 0.0 and new_bounciness <= 1.0):
 		return "The bounciness C must be within 0..1, not %s." % new_bounciness
@@ -55,14 +55,16 @@ func set_bounciness(new_bounciness: float) -> String:
 ## Surroundings that share nothing with these.
 func copy() -> Surroundings:
 	var other := Surroundings.new()
-	other.set_segments(segments)
-	other.set_gravity(gravity)
-	other.set_bounciness(bounciness)
+	for segment in segments:
+		other.segments.append(segment.copy())
+	other._boxes = SegmentBoxes.new(other.segments)
+	other.gravity = gravity.copy()
+	other.bounciness = bounciness
 	return other
 
 
-## The first impact of a ball that moves by [param motion]; [member Impact.segment_index] is a place
-## in [member segments]. The segments at the places [param skipped] are left out.
+## The first impact of a ball that moves by [param motion]; [member Impact.segment_index] is an
+## index into [member segments]. The segments with the indices [param skipped] are left out.
 func first_impact(ball: Ball, motion: Vec2, skipped: PackedInt32Array = []) -> Impact:
 	var near := near_segments(ball.position, motion, ball.radius, skipped)
 	if near.is_empty():
@@ -76,8 +78,8 @@ func first_impact(ball: Ball, motion: Vec2, skipped: PackedInt32Array = []) -> I
 	return impact
 
 
-## The places in [member segments] of those that a ball may touch while it moves by [param motion],
-## in their order, without the places [param skipped].
+## The indices of the segments that a ball may touch while it moves by [param motion], in order,
+## without the indices [param skipped].
 func near_segments(
 	position: Vec2, motion: Vec2, radius: float, skipped: PackedInt32Array = []
 ) -> PackedInt32Array:
@@ -87,7 +89,7 @@ func near_segments(
 	return near
 
 
-## The largest g . x of all ends of lines: where the height is counted from. 0 without lines.
+## The largest g . x of all ends of lines, from which heights are measured. 0 without lines.
 func deepest() -> float:
 	var found := -INF
 	for segment in segments:
@@ -95,7 +97,7 @@ func deepest() -> float:
 	return found if segments else 0.0
 
 
-## Whether both components are numbers within -[constant LARGEST]..[constant LARGEST].
+## Whether both components are within -[constant LARGEST]..[constant LARGEST]; false for NaN.
 static func is_within(vector: Vec2) -> bool:
 	return absf(vector.x) <= LARGEST and absf(vector.y) <= LARGEST
 

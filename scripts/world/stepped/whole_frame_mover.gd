@@ -1,12 +1,12 @@
 class_name WholeFrameMover
 extends BallMover
-## The right way to step: goes from impact to impact until the frame's time is used up.
+## The right way to step: the ball goes from impact to impact until the frame's time is used up.
 ##
-## Gravity acts before and after each bounce for as long as that part of the frame lasts. So no time
-## is lost, and with C = 1 no energy.
+## In each part of the frame gravity acts for as long as that part lasts. So no time is lost, and
+## with C = 1 no energy.
 
-## A frame is cut into at most so many parts; what is left of it then is dropped. Larger only costs
-## time in corners too narrow for the ball.
+## The most parts of a frame; the time that is left after them is dropped. A larger number would
+## only cost time in corners that are too narrow for the ball.
 const MOST_PARTS := 32
 
 
@@ -19,7 +19,8 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 	return bounces
 
 
-## Moves the ball under [param gravity], from impact to impact; adds its bounces.
+## Moves the ball under [param gravity] from impact to impact, and adds its bounces to
+## [param bounces].
 func move_under(
 	gravity: Vec2,
 	ball: Ball,
@@ -43,7 +44,8 @@ func move_under(
 			return
 
 
-## The first impact in this part of the frame, without the segments at the places [param skipped].
+## The first impact in this part of the frame, without the segments with the indices
+## [param skipped].
 func find_impact(
 	ball: Ball, motion: Vec2, surroundings: Surroundings, skipped: PackedInt32Array
 ) -> Impact:

@@ -1,9 +1,9 @@
 class_name WorldState
 extends RefCounted
-## A stepped world as a dictionary of numbers, for undo and links, and back.
+## Turns a stepped world into a dictionary of numbers, for undo and links, and back.
 
 
-## Everything but the way of stepping: lines, gravity, bounciness, balls, counters.
+## Everything but the mover: lines, gravity, bounciness, balls, counters.
 static func of(world: SteppedWorld) -> Dictionary:
 	var ends: PackedFloat64Array = []
 	for line in world.surroundings.segments:
@@ -21,21 +21,28 @@ static func of(world: SteppedWorld) -> Dictionary:
 	}
 
 
-## Puts back what [method of] has told.
-static func put(stored: Dictionary, world: SteppedWorld) -> void:
+## Puts back what [method of] has stored. Returns "", or the first sentence with which the world
+## refused a part of it.
+static func put(stored: Dictionary, world: SteppedWorld) -> String:
 	var gravity: PackedFloat64Array = stored["gravity"]
 	var bounciness: float = stored["bounciness"]
 	var ends: PackedFloat64Array = stored["lines"]
 	var radii: PackedFloat64Array = stored["radii"]
 	var moving: PackedFloat64Array = stored["moving"]
-	world.surroundings.set_gravity(Vec2.new(gravity[0], gravity[1]))
-	world.surroundings.set_bounciness(bounciness)
-	world.surroundings.set_segments(_lines(ends))
 	var balls: Array[Ball] = []
 	for radius in radii:
 		balls.append(Ball.new(Vec2.new(), radius))
-	world.set_balls(balls)
-	world.put_state(moving)
+	var problems: PackedStringArray = [
+		world.surroundings.set_gravity(Vec2.new(gravity[0], gravity[1])),
+		world.surroundings.set_bounciness(bounciness),
+		world.surroundings.set_segments(_lines(ends)),
+		world.set_balls(balls),
+		world.put_state(moving),
+	]
+	for problem in problems:
+		if problem:
+			return problem
+	return ""
 
 
 static func _lines(ends: PackedFloat64Array) -> Array[LineSegment]:

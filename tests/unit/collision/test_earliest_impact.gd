@@ -9,9 +9,9 @@ func test_the_earliest_wall_wins_wherever_it_stands_in_the_list() -> void:
 	var far := _wall_at(60.0)
 	var first := _shot([near, far] as Array[LineSegment])
 	var last := _shot([far, near] as Array[LineSegment])
-	assert_eq(first.time, 0.2)
+	assert_eq(first.fraction, 0.2)
 	assert_eq(first.segment_index, 0)
-	assert_eq(last.time, 0.2)
+	assert_eq(last.fraction, 0.2)
 	assert_eq(last.segment_index, 1)
 
 
@@ -45,7 +45,7 @@ func test_in_a_corner_the_wall_that_is_met_first_counts() -> void:
 	var walls: Array[LineSegment] = [_wall_at(60.0), floor_line]
 	var impact := EarliestImpact.among(Vec2.zero(), Vec2.new(100, 100), RADIUS, walls)
 	assert_eq(impact.segment_index, 1)
-	assert_almost_eq(impact.time, 0.3, 1e-15)
+	assert_almost_eq(impact.fraction, 0.3, 1e-15)
 
 
 func test_the_order_of_random_segments_does_not_matter() -> void:
@@ -58,7 +58,7 @@ func test_the_order_of_random_segments_does_not_matter() -> void:
 		var there := _random_shot(vectors, index, segments)
 		segments.reverse()
 		var back := _random_shot(vectors, index, segments)
-		differences.append(absf(there.time - back.time) if there.hit == back.hit else INF)
+		differences.append(absf(there.fraction - back.fraction) if there.hit == back.hit else INF)
 	assert_all_at_most(differences, 0.0)
 
 

@@ -9,13 +9,13 @@ var line := LineSegment.new(Vec2.new(60, 45), Vec2.new(-60, -45))
 
 # Mistake 15: a / new is -1.33.
 func test_b_is_old_less_new() -> void:
-	assert_eq(PointOfImpact.share(50, -30, 10), 0.5)
+	assert_eq(PointOfImpact.fraction(50, -30, 10), 0.5)
 
 
 # Mistake 16: with the unsigned 30 it is 2, which is right only in front of the line.
 func test_distances_are_signed() -> void:
-	assert_eq(PointOfImpact.share(50, -30, 10), 0.5)
-	assert_eq(PointOfImpact.share(50, 30, 10), 2.0)
+	assert_eq(PointOfImpact.fraction(50, -30, 10), 0.5)
+	assert_eq(PointOfImpact.fraction(50, 30, 10), 2.0)
 
 
 # Mistake 17: beyond 0..1 nothing is hit in this frame, and b = 0 divides nothing.
@@ -30,17 +30,17 @@ func test_share_is_limited() -> void:
 
 # Mistake 20: from the new position it is -0.5.
 func test_time_is_from_old() -> void:
-	assert_eq(PointOfImpact.share(8, -2, 3), 0.5)
+	assert_eq(PointOfImpact.fraction(8, -2, 3), 0.5)
 	var wall := LineSegment.new(Vec2.new(0, 5), Vec2.new(0, 0))
 	var impact := PointOfImpact.with_line(Vec2.new(8, 0), Vec2.new(-10, 0), 3.0, wall)
-	assert_eq(impact.time, 0.5)
+	assert_eq(impact.fraction, 0.5)
 	assert_vec2(impact.position, Vec2.new(3, 0), 0.0)
 
 
 func test_the_frame_of_the_lecture() -> void:
 	var impact := PointOfImpact.with_line(Vec2.new(6, -58), Vec2.new(0, 100), RADIUS, line)
 	assert_true(impact.hit)
-	assert_almost_eq(impact.time, 0.5, 1e-15)
+	assert_almost_eq(impact.fraction, 0.5, 1e-15)
 	assert_vec2(impact.position, Vec2.new(6, -8), 1e-13)
 	assert_vec2(impact.normal, Vec2.new(0.6, -0.8), 1e-15)
 
@@ -49,7 +49,7 @@ func test_the_place_does_not_depend_on_the_speed() -> void:
 	for speed: float in [10.0, 38.0, 72.0, 500.0, 1e6]:
 		var old := Vec2.new(6, -8 - speed / 4.0)
 		var impact := PointOfImpact.with_line(old, Vec2.new(0, speed), RADIUS, line)
-		assert_almost_eq(impact.time, 0.25, 1e-13, "%s px per frame" % speed)
+		assert_almost_eq(impact.fraction, 0.25, 1e-13, "%s px per frame" % speed)
 		assert_vec2(impact.position, Vec2.new(6, -8), 1e-15 * speed + 1e-13)
 
 
@@ -95,7 +95,7 @@ func test_a_ball_on_its_way_out_hits_nothing() -> void:
 func test_a_ball_that_overlaps_and_approaches_touches_at_once() -> void:
 	var impact := PointOfImpact.with_line(Vec2.new(3, -4), Vec2.new(0, 25), RADIUS, line)
 	assert_true(impact.hit)
-	assert_eq(impact.time, 0.0)
+	assert_eq(impact.fraction, 0.0)
 	assert_vec2(impact.position, Vec2.new(3, -4), 0.0)
 
 
@@ -103,14 +103,14 @@ func test_a_contact_at_the_very_end_of_the_frame_counts() -> void:
 	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
 	var impact := PointOfImpact.with_line(Vec2.new(0, -30), Vec2.new(7, 20), RADIUS, floor_line)
 	assert_true(impact.hit)
-	assert_eq(impact.time, 1.0)
+	assert_eq(impact.fraction, 1.0)
 
 
 func test_a_touching_ball_that_hardly_moves_touches_now() -> void:
 	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
 	var impact := PointOfImpact.with_line(Vec2.new(0, -10), Vec2.new(0, 1e-20), 10.0, floor_line)
 	assert_true(impact.hit)
-	assert_eq(impact.time, 0.0)
+	assert_eq(impact.fraction, 0.0)
 
 
 # The motion is so small against the distance that old - new, computed, is 3 steps of 2^-23 for 2.6.
@@ -122,7 +122,7 @@ func test_the_time_is_right_for_a_motion_that_is_small_against_the_distance() ->
 		Vec2.new(0, -(2.0 ** 30)), motion, 2.0 ** 30 - gap, floor_line
 	)
 	assert_true(impact.hit)
-	assert_almost_eq(impact.time, 1.0 / 1.3, 1e-15)
+	assert_almost_eq(impact.fraction, 1.0 / 1.3, 1e-15)
 
 
 func test_a_ball_at_rest_hits_nothing() -> void:

@@ -7,14 +7,14 @@ const RADIUS := 10.0
 func test_a_ball_bounces_on_the_line_between_its_ends() -> void:
 	var impact := _with_floor(Vec2.new(0, -50), Vec2.new(0, 80))
 	assert_true(impact.hit)
-	assert_eq(impact.time, 0.5)
+	assert_eq(impact.fraction, 0.5)
 	assert_vec2(impact.normal, Vec2.new(0, -1), 0.0)
 	assert_eq(impact.feature, Impact.Feature.LINE)
 
 
 func test_both_sides_work() -> void:
 	var from_below := _with_floor(Vec2.new(0, 50), Vec2.new(0, -80))
-	assert_eq(from_below.time, 0.5)
+	assert_eq(from_below.fraction, 0.5)
 	assert_vec2(from_below.normal, Vec2.new(0, 1), 0.0)
 
 
@@ -22,14 +22,14 @@ func test_a_turned_round_segment_gives_the_same() -> void:
 	var there := _with_floor(Vec2.new(0, -50), Vec2.new(20, 80))
 	var turned := LineSegment.new(Vec2.new(100, 0), Vec2.new(-100, 0))
 	var back := SegmentImpact.with_segment(Vec2.new(0, -50), Vec2.new(20, 80), RADIUS, turned)
-	assert_eq(back.time, there.time)
+	assert_eq(back.fraction, there.fraction)
 	assert_vec2(back.normal, there.normal, 0.0)
 
 
 func test_a_ball_bounces_on_each_end() -> void:
 	var left := _with_floor(Vec2.new(-106, -28), Vec2.new(0, 40))
 	assert_eq(left.feature, Impact.Feature.START)
-	assert_almost_eq(left.time, 0.5, 1e-15)
+	assert_almost_eq(left.fraction, 0.5, 1e-15)
 	assert_vec2(left.normal, Vec2.new(-0.6, -0.8), 1e-15)
 	var right := _with_floor(Vec2.new(106, -28), Vec2.new(0, 40))
 	assert_eq(right.feature, Impact.Feature.END)
@@ -39,26 +39,26 @@ func test_a_ball_bounces_on_each_end() -> void:
 func test_a_ball_that_runs_along_the_line_bounces_on_its_end() -> void:
 	var impact := _with_floor(Vec2.new(-150, 0), Vec2.new(80, 0))
 	assert_eq(impact.feature, Impact.Feature.START)
-	assert_eq(impact.time, 0.5)
+	assert_eq(impact.fraction, 0.5)
 	assert_vec2(impact.normal, Vec2.new(-1, 0), 0.0)
 
 
 func test_the_nearer_of_two_ends_is_met() -> void:
 	var impact := _with_floor(Vec2.new(150, 0), Vec2.new(-400, 0))
 	assert_eq(impact.feature, Impact.Feature.END)
-	assert_eq(impact.time, 0.1)
+	assert_eq(impact.fraction, 0.1)
 
 
 func test_the_start_is_met_before_an_end_farther_on() -> void:
 	var impact := _with_floor(Vec2.new(-150, 0), Vec2.new(400, 0))
 	assert_eq(impact.feature, Impact.Feature.START)
-	assert_eq(impact.time, 0.1)
+	assert_eq(impact.fraction, 0.1)
 
 
 func test_of_two_ends_touched_at_once_the_start_counts() -> void:
 	var short := LineSegment.new(Vec2.new(-6, 0), Vec2.new(6, 0))
 	var impact := SegmentImpact.with_caps(Vec2.new(0, -48), Vec2.new(0, 80), RADIUS, short)
-	assert_eq(impact.time, 0.5)
+	assert_eq(impact.fraction, 0.5)
 	assert_eq(impact.feature, Impact.Feature.START)
 
 
@@ -98,7 +98,7 @@ func test_the_end_is_tested_at_the_impact_not_after_the_frame() -> void:
 	# It touches the line, and is beside the end only after the frame.
 	var onto_line := _with_floor(Vec2.new(70, -50), Vec2.new(50, 80))
 	assert_eq(onto_line.feature, Impact.Feature.LINE)
-	assert_eq(onto_line.time, 0.5)
+	assert_eq(onto_line.fraction, 0.5)
 
 
 func test_a_ball_that_moves_away_does_not_bounce() -> void:
@@ -126,7 +126,7 @@ func test_a_sunk_ball_that_leaves_may_cross_the_circle_of_the_other_end() -> voi
 func test_a_ball_sunk_into_both_ends_is_turned_back_by_the_nearer_one() -> void:
 	var short := LineSegment.new(Vec2.zero(), Vec2.new(2, 0))
 	var impact := SegmentImpact.with_segment(Vec2.new(5, -4), Vec2.new(-10, 0), RADIUS, short)
-	assert_eq(impact.time, 0.0)
+	assert_eq(impact.fraction, 0.0)
 	assert_eq(impact.feature, Impact.Feature.END)
 	assert_vec2(impact.normal, Vec2.new(0.6, -0.8), 1e-15)
 
@@ -142,7 +142,7 @@ func test_a_ball_sunk_into_one_end_touches_that_end() -> void:
 
 func test_a_sunk_ball_that_approaches_is_turned_back_at_once() -> void:
 	var impact := _with_floor(Vec2.new(0, -5), Vec2.new(0, 80))
-	assert_eq(impact.time, 0.0)
+	assert_eq(impact.fraction, 0.0)
 	assert_vec2(impact.normal, Vec2.new(0, -1), 0.0)
 
 
@@ -156,7 +156,7 @@ func test_a_segment_of_no_length_is_a_round_point() -> void:
 	var point := LineSegment.new(Vec2.zero(), Vec2.zero())
 	var impact := SegmentImpact.with_segment(Vec2.new(-50, 0), Vec2.new(80, 0), RADIUS, point)
 	assert_true(impact.hit)
-	assert_eq(impact.time, 0.5)
+	assert_eq(impact.fraction, 0.5)
 
 
 func test_random_impacts_agree_with_a_dense_sampling_of_the_distance() -> void:
@@ -189,7 +189,7 @@ func test_random_impacts_are_approaching_contacts_at_the_radius() -> void:
 		var impact := SegmentImpact.with_segment(old, motion, RADIUS, segment)
 		if impact.hit:
 			approaches.append(motion.dot(impact.normal))
-		if impact.hit and impact.time > 0.0:
+		if impact.hit and impact.fraction > 0.0:
 			distances.append(absf(_distance(impact.position, segment) - RADIUS))
 	assert_gt(distances.size(), 60, "enough hits to mean something")
 	assert_all_at_most(distances, 1e-10)
@@ -205,20 +205,26 @@ static func _with_floor(old: Vec2, motion: Vec2) -> Impact:
 
 
 # "" where a walk along the motion in 500 strides finds the same: the first stride after which the
-# distance is below the radius holds the time of impact; else a sentence.
+# distance is below the radius contains the impact; else a sentence.
 static func _difference_from_sampling(
 	impact: Impact, old: Vec2, motion: Vec2, segment: LineSegment
 ) -> String:
 	for stride: int in range(1, 501):
 		if _distance(old.plus(motion.scaled(stride / 500.0)), segment) < RADIUS - 1e-9:
 			var is_in_stride := (
-				impact.hit and impact.time <= stride / 500.0 and impact.time >= (stride - 1) / 500.0
+				impact.hit
+				and impact.fraction <= stride / 500.0
+				and impact.fraction >= (stride - 1) / 500.0
 			)
-			return "" if is_in_stride else "touches in stride %d, not at %s" % [stride, impact.time]
+			return (
+				""
+				if is_in_stride
+				else "touches in stride %d, not at %s" % [stride, impact.fraction]
+			)
 	# Between two strides a ball may dip into the line unseen, but not deeper than half a stride.
-	var middle := old.plus(motion.scaled(impact.time + 0.001))
+	var middle := old.plus(motion.scaled(impact.fraction + 0.001))
 	if impact.hit and _distance(middle, segment) < RADIUS - 0.5:
-		return "a touch at %s was not sampled" % impact.time
+		return "a touch at %s was not sampled" % impact.fraction
 	return ""
 
 

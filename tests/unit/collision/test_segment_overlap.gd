@@ -31,7 +31,7 @@ func test_the_ends_themselves_belong_to_the_line() -> void:
 
 
 func test_the_frame_is_over_when_it_is_looked_at() -> void:
-	assert_eq(SegmentOverlap.with_segment(Vec2.new(15, 20), 10.0, _line).time, 1.0)
+	assert_eq(SegmentOverlap.with_segment(Vec2.new(15, 20), 10.0, _line).fraction, 1.0)
 
 
 func test_touching_is_not_overlapping() -> void:

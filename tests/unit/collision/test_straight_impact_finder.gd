@@ -92,7 +92,7 @@ func _difference_from_lecture(four: Array[Vec2]) -> float:
 	)
 	if impact.hit != (is_hit and _solver.time <= 1.0):
 		return INF
-	return absf(impact.time - _solver.time) if impact.hit else 0.0
+	return absf(impact.fraction - _solver.time) if impact.hit else 0.0
 
 
 func _solve(row: int) -> bool:

@@ -25,7 +25,7 @@ func test_coordinates_that_share_no_digit_lose_nothing() -> void:
 
 func test_the_contact_of_the_lecture_is_in_the_middle_of_the_frame() -> void:
 	var line := LineSegment.new(Vec2.new(60, 45), Vec2.new(-60, -45))
-	var share := ExactContact.share(Vec2.new(6, -58), Vec2.new(6, 42), 10.0, line)
+	var share := ExactContact.fraction(Vec2.new(6, -58), Vec2.new(6, 42), 10.0, line)
 	assert_almost_eq(share.error_of(0.5), 0.0, 1e-30)
 
 

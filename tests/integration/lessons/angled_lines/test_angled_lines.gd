@@ -190,7 +190,7 @@ func test_trails_of_many_balls_end_at_the_balls_forward_and_back() -> void:
 
 func test_a_lost_ball_is_counted_and_fetched() -> void:
 	await student.press(&"lab_preset_5")
-	_choose_method(SteppedWorld.Method.POSITION_RESET)
+	_choose_method(SteppingMethods.Method.POSITION_RESET)
 	for i: int in 20:
 		await student.press(&"lab_step")
 	assert_reads("lost 1")
@@ -200,7 +200,7 @@ func test_a_lost_ball_is_counted_and_fetched() -> void:
 
 
 func test_each_way_of_stepping_can_be_chosen_and_undone() -> void:
-	_choose_method(SteppedWorld.Method.POINT_OF_IMPACT)
+	_choose_method(SteppingMethods.Method.POINT_OF_IMPACT)
 	await student.settle()
 	assert_true(_world().mover is PointOfImpactMover)
 	await student.press(&"lab_undo")
@@ -282,5 +282,5 @@ func _shown_now() -> Array[bool]:
 	return seen(["%Impact", "%Normal"])
 
 
-func _choose_method(method: SteppedWorld.Method) -> void:
+func _choose_method(method: SteppingMethods.Method) -> void:
 	frame().lesson.services[&"options"].emit_signal(&"chosen", "method", method)

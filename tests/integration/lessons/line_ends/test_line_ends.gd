@@ -117,14 +117,14 @@ func test_a_near_miss_says_that_there_is_no_root() -> void:
 
 func test_playing_flies_the_ball_and_stops_at_the_end_of_the_frame() -> void:
 	await student.press(&"lab_pause")
-	assert_lt(_time(), 1.0, "it begins anew")
+	assert_lt(_fraction(), 1.0, "it begins anew")
 	Engine.time_scale = 20.0
 	for i: int in 3000:
 		if not _transport().is_playing:
 			break
 		await get_tree().process_frame
 	Engine.time_scale = 1.0
-	assert_eq(_time(), 1.0)
+	assert_eq(_fraction(), 1.0)
 
 
 func test_a_step_back_and_on_ends_at_the_same_place() -> void:
@@ -141,7 +141,7 @@ func test_a_drag_pauses() -> void:
 	assert_false(_transport().is_playing)
 
 
-func test_each_mistake_names_itself_and_its_wrong_time() -> void:
+func test_each_mistake_names_itself_and_its_wrong_fraction() -> void:
 	var wrong: Dictionary[String, String] = {
 		"Mistake 18": "t = −736269",
 		"Mistake 19": "t = NaN",
@@ -170,9 +170,9 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	assert_reads("is not it yet")
 	await click_button("Show on board")
 	assert_eq(_words("RoundCaps").begins_with("bounces on the end"), true)
-	var time := _words("RoundCaps").get_slice(" = ", 1)
-	await student.enter(_number_field("t ="), time)
-	assert_reads("Right: %s." % time)
+	var fraction := _words("RoundCaps").get_slice(" = ", 1)
+	await student.enter(_number_field("t ="), fraction)
+	assert_reads("Right: %s." % fraction)
 
 
 func test_all_fields_keep_the_shot_in_sight_at_every_size() -> void:
@@ -216,7 +216,7 @@ func _numbers(key: String) -> PackedFloat64Array:
 	return held
 
 
-func _time() -> float:
+func _fraction() -> float:
 	return frame().lesson.state()["time"]
 
 

@@ -208,7 +208,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await click_button("Show on board")
 	var model := PointOfImpactModel.new()
 	model.from_dictionary(frame().lesson.state())
-	await student.enter(field("t ="), str(snappedf(model.share(), 0.01)))
+	await student.enter(field("t ="), str(snappedf(model.fraction(), 0.01)))
 	assert_reads("Right: ")
 
 

@@ -140,11 +140,10 @@ func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:
-	var question := frame().lesson.services[&"question"] as FoldableContainer
+	var question := frame().lesson.services[&"question"] as Question
 	question.folded = false
 	await student.settle()
-	var rng: RandomNumberGenerator = frame().lesson.get("_rng")
-	rng.seed = 191
+	question.rng.seed = 191
 	for kind: int in TurningExercise.Kind.size():
 		await click_button("New numbers")
 	var field := Screen.named(question, "a′.x =") as LineEdit

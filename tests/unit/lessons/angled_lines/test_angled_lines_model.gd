@@ -55,7 +55,7 @@ func test_once_a_second_all_balls_of_the_cradle_are_back() -> void:
 func test_position_reset_loses_the_ball_of_the_tunnelling_situation() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(5)
-	model.set_method(SteppedWorld.Method.POSITION_RESET)
+	model.set_method(SteppingMethods.Method.POSITION_RESET)
 	for frame: int in 60:
 		model.step()
 	assert_eq(model.world.lost_count(), 1)
@@ -124,12 +124,35 @@ func test_a_stored_model_put_back_runs_on_the_same() -> void:
 
 func test_arrow_keys_keep_the_strength_of_gravity() -> void:
 	var model := AngledLinesModel.new()
-	model.set_gravity(Vec2.new(30.0, 40.0))
-	model.point_gravity(Vec2.new(-1.0, 0.0))
+	assert_eq(model.set_gravity(Vec2.new(30.0, 40.0)), "")
+	assert_eq(model.point_gravity(Vec2.new(-1.0, 0.0)), "")
 	assert_vec2(model.world.surroundings.gravity, Vec2.new(-50.0, 0.0), 1e-12)
-	model.point_gravity(Vec2.new())
-	model.point_gravity(Vec2.new(0.0, -1.0))
+	assert_eq(model.point_gravity(Vec2.new()), "")
+	assert_eq(model.point_gravity(Vec2.new(0.0, -1.0)), "")
 	assert_vec2(model.world.surroundings.gravity, Vec2.new(0.0, -300.0), 1e-12)
+
+
+func test_gravity_too_strong_for_one_axis_is_refused() -> void:
+	var model := AngledLinesModel.new()
+	assert_eq(model.set_gravity(Vec2.new(1e6, 1e6)), "")
+	assert_string_contains(model.point_gravity(Vec2.new(1.0, 0.0)), "Gravity must be within")
+	assert_vec2(model.world.surroundings.gravity, Vec2.new(1e6, 1e6), 0.0)
+
+
+func test_a_jammed_ball_is_told_by_the_step_and_by_the_comparison() -> void:
+	var model := AngledLinesModel.new()
+	model.take(_jammed())
+	var comparison := MethodComparison.new()
+	comparison.begin(model.world)
+	comparison.advance(100_000, AngledLinesModel.FRAME)
+	model.step()
+	assert_eq(model.refusal + comparison.refusal(SteppingMethods.Method.WHOLE_FRAME), "")
+	model.set_method(SteppingMethods.Method.EVENT_WORLD)
+	model.step()
+	var exact := SteppingMethods.Method.EVENT_WORLD
+	for sentence: String in [model.refusal, comparison.refusal(exact)]:
+		assert_string_contains(sentence, "impacts within a second")
+	assert_eq(AngledLinesTexts.comparison(comparison, exact)[1], "stopped")
 
 
 func test_typed_numbers_arrive_and_wrong_ones_are_refused() -> void:
@@ -169,9 +192,9 @@ func test_the_comparison_shows_what_each_way_loses_in_a_minute() -> void:
 	comparison.begin(model.world)
 	while comparison.advance(100_000, AngledLinesModel.FRAME):
 		pass
-	assert_gt(comparison.energy_share(SteppedWorld.Method.POSITION_RESET), 1.05)
-	assert_lt(comparison.energy_share(SteppedWorld.Method.POINT_OF_IMPACT), 0.95)
-	assert_almost_eq(comparison.energy_share(SteppedWorld.Method.WHOLE_FRAME), 1.0, 1e-9)
+	assert_gt(comparison.energy_share(SteppingMethods.Method.POSITION_RESET), 1.05)
+	assert_lt(comparison.energy_share(SteppingMethods.Method.POINT_OF_IMPACT), 0.95)
+	assert_almost_eq(comparison.energy_share(SteppingMethods.Method.WHOLE_FRAME), 1.0, 1e-9)
 
 
 func test_the_right_answers_of_questions_are_what_the_world_does() -> void:
@@ -210,3 +233,9 @@ func test_wrong_answers_are_named() -> void:
 		assert_gt(exercise.mistakes.size(), 0)
 		for mistake: Exercise.Mistake in exercise.mistakes:
 			assert_eq(exercise.check(mistake.answer).sentence, mistake.sentence)
+
+
+# A ball that touches two lines from between them.
+static func _jammed() -> SteppedWorld:
+	var lines: Array[Vector4] = [Vector4(-50, 5, 50, 5), Vector4(-50, -5, 50, -5)]
+	return SteppedWorlds.world(lines, Ball.new(Vec2.new(), 5.0, Vec2.new(0.0, 1000.0)))

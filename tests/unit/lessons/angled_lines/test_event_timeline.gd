@@ -126,7 +126,7 @@ func test_the_page_turns_after_ten_seconds() -> void:
 func test_the_event_world_switches_mistakes_off_and_a_mistake_the_event_world() -> void:
 	var model := AngledLinesModel.new()
 	model.set_mistake(24)
-	model.set_method(SteppedWorld.Method.EVENT_WORLD)
+	model.set_method(SteppingMethods.Method.EVENT_WORLD)
 	assert_eq(model.mistake, 0)
 	assert_not_null(model.timeline)
 	model.set_mistake(21)
@@ -145,7 +145,7 @@ func test_a_stored_moment_is_put_back() -> void:
 func _model(scene: int) -> AngledLinesModel:
 	var model := AngledLinesModel.new()
 	model.set_up(scene)
-	model.set_method(SteppedWorld.Method.EVENT_WORLD)
+	model.set_method(SteppingMethods.Method.EVENT_WORLD)
 	return model
 
 

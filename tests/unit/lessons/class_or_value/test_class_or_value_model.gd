@@ -39,6 +39,22 @@ func test_a_stored_state_comes_back_with_its_sharing() -> void:
 		assert_eq(again.is_shared(), not copies)
 
 
+func test_it_begins_with_the_old_place_remembered_and_both_moved() -> void:
+	var model := ClassOrValueModel.new()
+	model.copies = true
+	model.remember_and_move(Vec2.new(1.0, 2.0), Vec2.new(3.0, 4.0))
+	assert_vec2(model.old, Vec2.new(1.0, 2.0), 0.0)
+	assert_vec2(model.position, Vec2.new(3.0, 4.0), 0.0)
+	assert_eq([model.old_value, model.value], [Vector2(1.0, 2.0), Vector2(3.0, 4.0)])
+
+
+func test_a_place_beyond_32_bits_is_refused() -> void:
+	var stored := ClassOrValueModel.new().to_dictionary()
+	assert_eq(ClassOrValueModel.new().problem_in(stored), "")
+	stored["old"] = PackedFloat64Array([0.0, -2e38])
+	assert_string_contains(ClassOrValueModel.new().problem_in(stored), "old must be within")
+
+
 func test_as_many_names_are_counted_as_the_step_shows() -> void:
 	assert_eq(ClassOrValueTexts.sharing(true, 0)[0], "one name, one object")
 	assert_eq(ClassOrValueTexts.sharing(true, 1)[0], "two names, one object")

@@ -56,7 +56,7 @@ func test_shown_on_the_board_the_question_is_answered_by_the_model() -> void:
 	rng.seed = 8
 	for i: int in 50:
 		var model := EasyBounceModel.new()
-		EasyBounceSetup.swap_axes(model)
+		model.swap_axes()
 		var exercise := BounceExercise.fresh(BounceExercise.Kind.SHORTEST, rng)
 		exercise.set_up(model)
 		var distance := model.shortest_distance(model.ball.position)

@@ -78,37 +78,60 @@ func test_who_takes_hold_of_the_ball_takes_the_one_of_the_shown_frame() -> void:
 func test_the_two_axes_change_places_and_back() -> void:
 	_model.tilt_degrees = 20.0
 	var floor_error := _model.position_error(_model.ball)
-	EasyBounceSetup.swap_axes(_model)
+	_model.swap_axes()
 	assert_true(_model.is_wall)
 	assert_vec2(_model.ball.position, Vec2.new(4.0, 0.0), 0.0)
 	assert_almost_eq(_model.position_error(_model.ball), floor_error, 1e-12)
-	EasyBounceSetup.swap_axes(_model)
+	_model.swap_axes()
 	assert_eq(_model.tilt_degrees, 20.0, "as it was before both changes")
 
 
 func test_a_stored_set_up_comes_back_and_shares_nothing() -> void:
-	EasyBounceSetup.swap_axes(_model)
+	_model.swap_axes()
 	_model.tilt_degrees = -12.5
-	var stored := EasyBounceSetup.to_dictionary(_model)
+	var stored := _model.to_dictionary()
 	var other := EasyBounceModel.new()
-	EasyBounceSetup.from_dictionary(other, stored)
-	assert_eq(EasyBounceSetup.to_dictionary(other), stored)
+	other.from_dictionary(stored)
+	assert_eq(other.to_dictionary(), stored)
 	other.ball.position.x = 99.0
 	assert_eq(_model.ball.position.x, 4.0)
+
+
+func test_a_number_is_set_in_the_shown_frame_or_refused() -> void:
+	_model.advance(2.0)
+	var shown := _model.moved_ball(2)
+	assert_string_contains(_model.enter("r", 201.0), "at most 200")
+	assert_eq([_model.frame(), _model.ball.radius], [2, 60.0])
+	assert_eq(_model.enter("vx", 7.0), "")
+	assert_eq(_model.frame(), 0)
+	assert_vec2(_model.ball.position, shown.position, 0.0)
+	assert_vec2(_model.ball.velocity, Vec2.new(7.0, shown.velocity.y), 0.0)
+
+
+func test_a_stored_radius_or_tilt_out_of_range_is_refused() -> void:
+	var stored := _model.to_dictionary()
+	assert_eq(_model.problem_in(stored), "")
+	stored["tilt_degrees"] = 46.0
+	assert_string_contains(_model.problem_in(stored), "not 46°")
+	stored["ball"] = PackedFloat64Array([0.0, 0.0, 0.0, 0.0, 0.0])
+	assert_string_contains(_model.problem_in(stored), "r must be above 0")
 
 
 func test_a_dragged_end_tilts_by_whole_degrees_and_never_too_far() -> void:
 	var right_end := _model.pivot.plus(Vec2.unit_degrees(17.2).scaled(150.0))
 	var left_end := _model.pivot.plus(Vec2.unit_degrees(180.0 - 8.4).scaled(90.0))
-	assert_eq(EasyBounceSetup.tilt_toward(_model, right_end, true), 17.0)
-	assert_eq(EasyBounceSetup.tilt_toward(_model, left_end, false), -8.0)
-	assert_eq(EasyBounceSetup.tilt_toward(_model, Vec2.new(10.0, 300.0), true), 45.0)
+	assert_eq(_model.tilt_toward(right_end, true), 17.0)
+	assert_eq(_model.tilt_toward(left_end, false), -8.0)
+	assert_eq(_model.tilt_toward(Vec2.new(10.0, 300.0), true), 45.0)
 
 
 func test_a_radius_or_tilt_out_of_range_is_refused_with_the_value_and_the_range() -> void:
-	assert_eq(EasyBounceSetup.problem("r", -5.0), "r must be above 0 and at most 200, not −5.")
 	assert_eq(
-		EasyBounceSetup.problem("tilt", 60.0), "The tilt must be within −45 and 45°, not 60°."
+		EasyBounceModel.number_problem("r", -5.0), "r must be above 0 and at most 200, not −5."
 	)
-	assert_eq(EasyBounceSetup.problem("tilt", -45.0), "")
-	assert_eq(EasyBounceSetup.problem("px", -5.0), "")
+	assert_eq(
+		EasyBounceModel.number_problem("tilt", 60.0),
+		"The tilt must be within −45 and 45°, not 60°."
+	)
+	assert_eq(EasyBounceModel.number_problem("tilt", -45.0), "")
+	assert_eq(EasyBounceModel.number_problem("px", -5.0), "")

@@ -15,7 +15,7 @@ func test_on_a_level_floor_all_three_errors_are_exactly_0() -> void:
 
 
 func test_on_an_upright_wall_all_three_errors_are_exactly_0() -> void:
-	EasyBounceSetup.swap_axes(_model)
+	_model.swap_axes()
 	_assert_no_error()
 
 

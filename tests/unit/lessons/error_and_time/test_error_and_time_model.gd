@@ -143,7 +143,7 @@ func _all_names() -> PackedStringArray:
 	for problem in ReportProblems.all():
 		names.append_array([problem.run_time_axis, problem.error_axis])
 		assert_ne(MeasuredWords.title(problem.id), problem.id, "a title for " + problem.id)
-		for case in problem.cases(true) + PeerCases.of(problem.id, true, host):
+		for case in problem.cases(true) + EngineCases.of(problem.id, true, host):
 			names.append_array([case.method, case.situation, case.tuning, case.error_unit])
 			case.finish()
 	return names

@@ -52,10 +52,10 @@ func test_the_median_of_the_runs_counts() -> void:
 func test_each_method_is_named_once_with_whether_it_is_the_engines() -> void:
 	var cases := _two_cases()
 	cases.append(FakeCase.new("slow", "easy", [1.0]))
-	cases[1].is_peer = true
+	cases[1].is_baseline = true
 	var run := MeasuringRun.new(cases)
 	assert_eq(run.methods(), PackedStringArray(["slow", "fast"]))
-	assert_eq(run.are_peers(), [false, true] as Array[bool])
+	assert_eq(run.are_baselines(), [false, true] as Array[bool])
 
 
 func _two_cases() -> Array[MeasuredCase]:

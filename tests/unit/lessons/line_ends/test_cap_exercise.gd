@@ -3,7 +3,7 @@ extends LabTest
 
 
 func test_the_worked_example_is_answered() -> void:
-	var exercise := _worked(CapExercise.Kind.TIME)
+	var exercise := _worked(CapExercise.Kind.FRACTION)
 	assert_true(exercise.check([0.5]).is_right)
 	assert_string_contains(exercise.check([-64799.2]).sentence, "squared")
 	assert_string_contains(exercise.check([-0.5]).sentence, "new position")
@@ -27,11 +27,11 @@ func test_fresh_questions_have_short_answers_that_the_ball_confirms() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 7
 	for i: int in 60:
-		var exercise := CapExercise.fresh(CapExercise.Kind.TIME, rng)
-		var time := exercise.right_answer[0]
-		var touch := exercise.difference.plus(exercise.motion.scaled(time))
+		var exercise := CapExercise.fresh(CapExercise.Kind.FRACTION, rng)
+		var fraction := exercise.right_answer[0]
+		var touch := exercise.difference.plus(exercise.motion.scaled(fraction))
 		assert_almost_eq(touch.length(), exercise.radius, 1e-12)
-		assert_true(time in [0.25, 0.5, 0.75], "t = %s" % time)
+		assert_true(fraction in [0.25, 0.5, 0.75], "t = %s" % fraction)
 
 
 func test_no_mistake_is_named_for_the_right_answer() -> void:
@@ -47,12 +47,12 @@ func test_on_the_board_the_ball_bounces_on_the_end_as_asked() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 9
 	for i: int in 30:
-		var exercise := CapExercise.fresh(CapExercise.Kind.TIME, rng)
+		var exercise := CapExercise.fresh(CapExercise.Kind.FRACTION, rng)
 		var model := LineEndsModel.new()
 		exercise.lay(model)
 		var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 		assert_eq(impact.feature, Impact.Feature.START)
-		assert_almost_eq(impact.time, exercise.right_answer[0], 1e-12)
+		assert_almost_eq(impact.fraction, exercise.right_answer[0], 1e-12)
 
 
 static func _worked(kind: CapExercise.Kind) -> CapExercise:

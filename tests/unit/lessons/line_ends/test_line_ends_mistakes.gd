@@ -9,25 +9,25 @@ func test_every_mistake_shows_in_the_shot_that_tells_it() -> void:
 		assert_true(LineEndsMistakes.shows(number, model), "mistake %d" % number)
 
 
-func test_a_squared_discriminant_gives_the_time_of_the_course() -> void:
-	var time := LineEndsMistakes.impact(18, _telling_model(18)).time
-	assert_almost_eq(time, -64799.0, 0.5)
+func test_a_squared_discriminant_gives_the_fraction_of_the_course() -> void:
+	var fraction := LineEndsMistakes.impact(18, _telling_model(18)).fraction
+	assert_almost_eq(fraction, -64799.0, 0.5)
 
 
 func test_an_untested_discriminant_leaves_no_ball() -> void:
 	var impact := LineEndsMistakes.impact(19, _telling_model(19))
-	assert_true(is_nan(impact.time))
+	assert_true(is_nan(impact.fraction))
 	assert_false(impact.position.is_finite())
 
 
-func test_a_time_from_the_new_position_is_a_whole_frame_too_small() -> void:
-	assert_almost_eq(LineEndsMistakes.impact(20, _telling_model(20)).time, -0.5, 1e-15)
+func test_a_fraction_from_the_new_position_is_a_whole_frame_too_small() -> void:
+	assert_almost_eq(LineEndsMistakes.impact(20, _telling_model(20)).fraction, -0.5, 1e-15)
 
 
 func test_an_end_tested_too_late_bounces_in_the_air() -> void:
 	var impact := LineEndsMistakes.impact(22, _telling_model(22))
 	assert_eq(impact.feature, Impact.Feature.LINE)
-	assert_almost_eq(impact.time, 0.1975, 1e-4)
+	assert_almost_eq(impact.fraction, 0.1975, 1e-4)
 
 
 func test_a_line_without_ends_bounces_in_the_air() -> void:

@@ -87,29 +87,31 @@ func test_at_both_roots_the_ball_is_as_far_from_the_end_as_its_radius() -> void:
 	assert_all_at_most(errors, 1e-9)
 
 
-func test_the_equation_and_the_impact_agree_on_the_time() -> void:
+func test_the_equation_and_the_impact_agree_on_the_fraction() -> void:
 	var model := LineEndsModel.new()
 	assert_eq(
-		model.cap_equation().first_root(), model.impact_in(LineEndsModel.Field.ROUND_CAPS).time
+		model.cap_equation().first_root(), model.impact_in(LineEndsModel.Field.ROUND_CAPS).fraction
 	)
 
 
-func test_the_exact_time_at_an_end_differs_by_rounding_only() -> void:
+func test_the_exact_fraction_at_an_end_differs_by_rounding_only() -> void:
 	var errors := PackedFloat64Array()
 	var vectors := random_vectors(92, 600)
 	for index: int in range(0, vectors.size(), 3):
 		var point := vectors[index + 2]
 		var equation := CapEquation.new(vectors[index], vectors[index + 1], 30.0, point)
-		var exact := ExactImpactTime.with_point(vectors[index], vectors[index + 1], 30.0, point)
+		var exact := ExactImpactFraction.with_point(vectors[index], vectors[index + 1], 30.0, point)
 		assert_eq(exact != null, equation.has_roots())
 		if exact:
 			errors.append(absf(exact.error_of(equation.first_root())))
 	assert_all_at_most(errors, 1e-10)
 
 
-func test_the_exact_time_is_far_closer_than_a_double() -> void:
+func test_the_exact_fraction_is_far_closer_than_a_double() -> void:
 	# t = (4 - sqrt(2)) / 2: with 100 bits, 2 t - 4 squared is 2 again.
-	var exact := ExactImpactTime.with_point(Vec2.new(-2, 1), Vec2.new(1, 0), sqrt(2.0), Vec2.zero())
+	var exact := ExactImpactFraction.with_point(
+		Vec2.new(-2, 1), Vec2.new(1, 0), sqrt(2.0), Vec2.zero()
+	)
 	var distance_squared := exact.minus(DoubleDouble.from_float(2.0))
 	distance_squared = distance_squared.times(distance_squared)
 	var radius_squared := DoubleDouble.product_of(sqrt(2.0), sqrt(2.0))
@@ -117,15 +119,15 @@ func test_the_exact_time_is_far_closer_than_a_double() -> void:
 	assert_almost_eq(distance_squared.minus(want).to_float(), 0.0, 1e-29)
 
 
-func test_the_exact_time_at_an_infinite_line_is_that_of_the_slide() -> void:
+func test_the_exact_fraction_at_an_infinite_line_is_that_of_the_slide() -> void:
 	var line := LineSegment.new(Vec2.new(-9, 4), Vec2.new(9, 4))
-	var exact := ExactImpactTime.with_line(Vec2.new(-4, -10), Vec2.new(8, 16), 3.0, line)
+	var exact := ExactImpactFraction.with_line(Vec2.new(-4, -10), Vec2.new(8, 16), 3.0, line)
 	assert_eq(exact.to_float(), 0.6875)
-	var along := ExactImpactTime.with_line(Vec2.new(-4, -10), Vec2.new(8, 0), 3.0, line)
+	var along := ExactImpactFraction.with_line(Vec2.new(-4, -10), Vec2.new(8, 0), 3.0, line)
 	assert_null(along)
 
 
-func test_a_flight_can_be_asked_for_any_time_in_any_order() -> void:
+func test_a_flight_can_be_asked_for_any_fraction_in_any_order() -> void:
 	var flight := LineEndsModel.new().flight_in(LineEndsModel.Field.ROUND_CAPS)
 	assert_vec2(flight.position_at(1.0), Vec2.new(-11.52, -0.64), 1e-13)
 	assert_vec2(flight.position_at(0.25), Vec2.new(-4.5, -4), 0.0)
@@ -168,7 +170,7 @@ func test_what_cannot_be_is_refused_with_a_sentence() -> void:
 
 func test_what_is_stored_can_be_put_back() -> void:
 	var model := _model("Head-on")
-	model.time = 0.25
+	model.fraction = 0.25
 	model.mistake = 18
 	var other := LineEndsModel.new()
 	other.from_dictionary(model.to_dictionary())

@@ -22,7 +22,7 @@ func test_mistake_7_loses_short_vectors_only() -> void:
 
 
 func test_every_mistake_names_a_test_that_exists() -> void:
-	for mistake: MistakeInfo in NormalsTexts.mistakes():
+	for mistake: MistakeInfo in NormalsMistakes.infos():
 		var names := mistake.test.split(".")
 		var script: GDScript = load("res://tests/unit/%s.gd" % names[0])
 		var methods := script.get_script_method_list().map(

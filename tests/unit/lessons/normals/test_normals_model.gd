@@ -89,6 +89,22 @@ func test_a_stored_line_comes_back_and_shares_nothing() -> void:
 	assert_eq(_model.start.x, 1.0)
 
 
+func test_a_number_changes_its_own_component_and_a_new_start_keeps_v() -> void:
+	_lay(Vec2.new(1.0, 2.0), Vec2.new(3.0, 4.0))
+	_model.enter("vx", 5.0)
+	_model.enter("sy", -6.0)
+	_model.enter("k", 9.0)
+	assert_vec2(_model.start, Vec2.new(1.0, -6.0), 0.0)
+	assert_vec2(_model.v(), Vec2.new(5.0, 4.0), 0.0)
+	assert_eq(_model.times, 9.0)
+
+
+func test_a_mistake_without_a_number_in_the_gallery_is_refused() -> void:
+	assert_eq(_model.take({"mistake": NormalsMistakes.CUT_LENGTH}), "")
+	assert_string_contains(_model.take({"mistake": 8}), "mistake must be one of 0, 9, 6, 7")
+	assert_eq(_model.mistake, NormalsMistakes.CUT_LENGTH)
+
+
 func test_the_exact_error_of_a_unit_normal_is_below_a_unit_in_the_last_place() -> void:
 	for v: Vec2 in random_vectors(4, 30):
 		assert_lt(ExactNormal.error_of(v.normal(), v), 2.0 * EPSILON)

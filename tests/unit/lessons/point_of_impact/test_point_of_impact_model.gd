@@ -13,7 +13,7 @@ func test_it_starts_with_the_numbers_of_the_course() -> void:
 	assert_almost_eq(model.new_distance(), -30.0, 1e-13)
 	assert_almost_eq(model.way_to_contact(), 40.0, 1e-13)
 	assert_almost_eq(model.way_of_frame(), 80.0, 1e-13)
-	assert_almost_eq(model.share(), 0.5, 1e-15)
+	assert_almost_eq(model.fraction(), 0.5, 1e-15)
 
 
 func test_impact_is_on_the_path_and_reset_is_beside_it() -> void:
@@ -37,7 +37,7 @@ func test_the_error_of_the_reset_is_what_is_left_of_the_sideways_motion() -> voi
 		model.new_position = place
 		if model.frame_case() == PointOfImpactModel.Case.IN_FRAME:
 			var sideways := absf(model.motion().dot(along))
-			var want := (1.0 - model.share()) * sideways
+			var want := (1.0 - model.fraction()) * sideways
 			assert_almost_eq(model.error_of(model.reset_position()), want, 1e-10)
 
 
@@ -50,13 +50,13 @@ func test_each_mistake_gives_its_wrong_share_for_the_numbers_of_the_course() -> 
 	}
 	for number in wrong:
 		model.mistake = number
-		assert_almost_eq(model.share_with_mistake(), wrong[number], 1e-13, str(number))
-		assert_almost_eq(model.share(), 0.5, 1e-15)
+		assert_almost_eq(model.fraction_with_mistake(), wrong[number], 1e-13, str(number))
+		assert_almost_eq(model.fraction(), 0.5, 1e-15)
 
 
 func test_the_gap_of_the_course_read_from_the_new_position_gives_minus_one_half() -> void:
-	assert_eq(PointOfImpactMistakes.share(0, 8, -2, 3), 0.5)
-	assert_eq(PointOfImpactMistakes.share(PointOfImpactMistakes.FROM_NEW, 8, -2, 3), -0.5)
+	assert_eq(PointOfImpactMistakes.fraction(0, 8, -2, 3), 0.5)
+	assert_eq(PointOfImpactMistakes.fraction(PointOfImpactMistakes.FROM_NEW, 8, -2, 3), -0.5)
 
 
 func test_a_share_without_limits_loses_a_ball_that_moves_along_the_line() -> void:
@@ -78,27 +78,27 @@ func test_every_mistake_of_the_gallery_names_a_test_that_exists() -> void:
 func test_a_line_that_is_not_reached_has_a_share_above_1() -> void:
 	_move(Vec2.new(6, -58), Vec2.new(6, -20.5))
 	assert_eq(model.frame_case(), PointOfImpactModel.Case.TOO_FAR)
-	assert_gt(model.share(), 1.0)
+	assert_gt(model.fraction(), 1.0)
 	assert_false(model.is_reset())
 
 
 func test_a_ball_that_overlaps_from_the_start_touches_at_once() -> void:
 	_move(Vec2.new(3, -4), Vec2.new(3, 21))
 	assert_eq(model.frame_case(), PointOfImpactModel.Case.OVERLAPS_FROM_START)
-	assert_almost_eq(model.share(), -0.25, 1e-15)
+	assert_almost_eq(model.fraction(), -0.25, 1e-15)
 	assert_vec2(model.impact().position, Vec2.new(3, -4), 0.0)
 
 
 func test_a_ball_that_moves_away_has_a_negative_b() -> void:
 	_move(Vec2.new(12, -16), Vec2.new(12, -66))
 	assert_eq(model.frame_case(), PointOfImpactModel.Case.MOVING_AWAY)
-	assert_almost_eq(model.share(), -0.25, 1e-15)
+	assert_almost_eq(model.fraction(), -0.25, 1e-15)
 
 
 func test_a_ball_on_its_way_out_has_a_share_within_0_and_1_and_still_no_impact() -> void:
 	_move(Vec2.new(3, -4), Vec2.new(3, -29))
 	assert_eq(model.frame_case(), PointOfImpactModel.Case.LEAVING)
-	assert_almost_eq(model.share(), 0.25, 1e-15)
+	assert_almost_eq(model.fraction(), 0.25, 1e-15)
 	assert_false(model.impact().hit)
 
 
@@ -166,7 +166,7 @@ func test_a_stored_state_comes_back() -> void:
 
 
 func test_the_question_on_the_share_names_the_mistakes_of_the_course() -> void:
-	var exercise := PointOfImpactExercise.new(PointOfImpactExercise.Kind.SHARE, 50, -30, 10, 0)
+	var exercise := PointOfImpactExercise.new(PointOfImpactExercise.Kind.FRACTION, 50, -30, 10, 0)
 	assert_true(exercise.check([0.5]).is_right)
 	assert_string_contains(exercise.check([-1.333]).sentence, "b is old − new")
 	assert_string_contains(exercise.check([2.0]).sentence, "negative behind the line")

@@ -93,6 +93,14 @@ func test_a_zero_b_has_no_direction_and_casts_no_shadow() -> void:
 	assert_eq(model.dot_with_unit(), 0.0)
 
 
+func test_a_typed_number_changes_its_own_component() -> void:
+	var model := _model(Vec2.new(1, 2), Vec2.new(3, 4))
+	model.enter("ay", -5.0)
+	model.enter("bx", 6.0)
+	assert_vec2(model.a, Vec2.new(1, -5), 0.0)
+	assert_vec2(model.b, Vec2.new(6, 4), 0.0)
+
+
 func test_what_is_stored_can_be_put_back() -> void:
 	var stored := _model(Vec2.new(1, 2), Vec2.new(-3, 4)).to_dictionary()
 	var model := ProjectionProofModel.new()

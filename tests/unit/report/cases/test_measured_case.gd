@@ -24,13 +24,13 @@ func test_the_result_tells_problem_method_setting_and_error() -> void:
 	case.method = "a method"
 	case.situation = "300 px/s"
 	case.tuning = "60 Hz"
-	case.is_peer = true
+	case.is_baseline = true
 	case.error = 0.25
 	case.figures["drift"] = 2.0
 	var result := case.result()
 	assert_eq([result.problem, result.method, result.error], ["a problem", "a method", 0.25])
 	assert_eq([result.setting, case.setting], ["300 px/s, 60 Hz", "300 px/s, 60 Hz"])
-	assert_true(result.is_peer)
+	assert_true(result.is_baseline)
 	assert_eq(result.figures, {"drift": 2.0} as Dictionary[String, float])
 
 
@@ -46,6 +46,91 @@ func test_a_result_does_not_change_with_later_runs() -> void:
 
 func test_a_setting_without_tuning_is_the_situation() -> void:
 	assert_eq(Measurement.setting_of("10 balls", ""), "10 balls")
+
+
+func test_a_case_whose_world_refused_has_no_answer_and_no_run_time() -> void:
+	var case := _Still.new()
+	case.keep_run(1.0)
+	case.error = 0.25
+	case.figures["drift"] = 2.0
+	case.keep_refusal("")
+	assert_eq(case.result().error, 0.25, "no refusal")
+	case.keep_refusal("The world stops here.")
+	case.keep_refusal("And here again.")
+	var result := case.result()
+	assert_false(result.has_answer())
+	assert_eq([result.run_time_us, result.note], [Measurement.NO_ANSWER, "The world stops here."])
+	assert_eq(result.figures.size(), 0)
+
+
+func test_no_case_measures_a_world_that_has_stopped() -> void:
+	var going_on := _JammedShot.new()
+	going_on.goes_on = true
+	going_on.path_seconds = 1.0
+	for case: MeasuredCase in [
+		_JammedFlight.new(_JammedShot.new()),
+		_JammedFlight.new(going_on),
+		_JammedFollowedFlight.new(_JammedShot.new()),
+	]:
+		for run: int in 2:
+			case.run_once()
+		var result := case.result()
+		assert_string_contains(result.note, "more than 100 impacts within a second")
+		assert_eq([result.has_answer(), result.run_time_us], [false, Measurement.NO_ANSWER])
+		case.finish()
+
+
+func test_no_case_measures_a_world_that_took_nothing() -> void:
+	var shot := _JammedShot.new()
+	shot.ball.radius = -1.0
+	for case: MeasuredCase in [
+		EventFlight.new(EventFlight.Form.GRID, "", shot, 60),
+		SteppedFlight.new(SteppingMethods.Method.WHOLE_FRAME, shot, 60),
+	]:
+		for run: int in 5:
+			case.run_once()
+		assert_eq(case.result().note, "A ball's radius must be above 0 and finite, not -1.0.")
+		assert_false(case.result().has_answer())
+
+
+## A ball that touches two lines from between them: infinitely many impacts.
+class _JammedShot:
+	extends Shot
+
+	func _init() -> void:
+		ball = Ball.new(Vec2.new(), 5.0, Vec2.new(0.0, 1000.0))
+		seconds = 1.0
+
+	func segments() -> Array[LineSegment]:
+		return [
+			LineSegment.new(Vec2.new(-50.0, 5.0), Vec2.new(50.0, 5.0)),
+			LineSegment.new(Vec2.new(-50.0, -5.0), Vec2.new(50.0, -5.0)),
+		]
+
+	func judge(case: MeasuredCase, _end: Vec2, _path: PackedFloat64Array) -> void:
+		case.error = 0.0
+
+
+class _JammedFlight:
+	extends EventFlight
+
+	func _init(of_shot: Shot) -> void:
+		super(EventFlight.Form.GRID, "", of_shot, 60)
+
+	func _prepare() -> void:
+		super()
+		_world.most_impacts_per_second = 100
+
+
+class _JammedFollowedFlight:
+	extends FollowedFlight
+
+	func _init(of_shot: Shot) -> void:
+		super(EventFlight.Form.GRID, "", of_shot, 60)
+
+	func _prepare() -> void:
+		super()
+		_world.most_impacts_per_second = 100
 
 
 class _Still:

@@ -20,18 +20,18 @@ func test_following_the_flights_gives_the_places_of_the_event_world() -> void:
 
 func test_dropping_the_rest_of_a_frame_ends_elsewhere_and_using_it_does_not() -> void:
 	var shot := BoxShot.new(300.0, 10.0)
-	assert_gt(_flown(SteppedWorld.Method.POINT_OF_IMPACT, shot).error, 1.0)
-	assert_lt(_flown(SteppedWorld.Method.WHOLE_FRAME, shot).error, 1e-9)
+	assert_gt(_flown(SteppingMethods.Method.POINT_OF_IMPACT, shot).error, 1.0)
+	assert_lt(_flown(SteppingMethods.Method.WHOLE_FRAME, shot).error, 1e-9)
 
 
 func test_a_position_reset_loses_a_fast_ball() -> void:
-	var case := _flown(SteppedWorld.Method.POSITION_RESET, BoxShot.new(30000.0, 10.0))
+	var case := _flown(SteppingMethods.Method.POSITION_RESET, BoxShot.new(30000.0, 10.0))
 	assert_eq(case.error, Measurement.NO_ANSWER)
 	assert_string_contains(case.note, "left the box")
 
 
 func test_five_runs_make_one_stepped_flight() -> void:
-	var case := SteppedFlight.new(SteppedWorld.Method.WHOLE_FRAME, BoxShot.new(300.0, 10.0), 60)
+	var case := SteppedFlight.new(SteppingMethods.Method.WHOLE_FRAME, BoxShot.new(300.0, 10.0), 60)
 	for run: int in 4:
 		case.run_once()
 	assert_false(case.result().has_answer(), "not yet known")
@@ -120,7 +120,7 @@ func test_growth_is_the_slope_between_two_numbers_of_segments() -> void:
 	assert_true(is_nan(ManySegmentsProblem.growth("other", rows)))
 
 
-func _flown(way: SteppedWorld.Method, shot: Shot) -> MeasuredCase:
+func _flown(way: SteppingMethods.Method, shot: Shot) -> MeasuredCase:
 	var case := SteppedFlight.new(way, shot, 60)
 	for run: int in 5:
 		case.run_once()

@@ -38,21 +38,21 @@ func test_there_are_never_more_labels_than_fit() -> void:
 	assert_lte(axis.ticks(8).size(), 9)
 
 
-func test_methods_differ_in_shape_and_colour_and_peers_are_hollow() -> void:
+func test_methods_differ_in_shape_and_colour_and_baselines_are_hollow() -> void:
 	var rows: Array[Measurement] = []
 	for i in 8:
 		rows.append(_row("own %d" % i, false))
-		rows.append(_row("peer %d" % i, true))
+		rows.append(_row("baseline %d" % i, true))
 	var looks: Dictionary[String, bool] = {}
 	var markers := PlotMarker.for_methods(rows)
 	for method in markers:
 		var marker := markers[method]
 		looks["%d %s" % [marker.shape, marker.is_hollow]] = true
-		assert_eq(marker.is_hollow, method.begins_with("peer"))
+		assert_eq(marker.is_hollow, method.begins_with("baseline"))
 	assert_eq(looks.size(), 16)
 
 
-func test_a_peer_is_an_outline_on_paper() -> void:
+func test_a_baseline_is_an_outline_on_paper() -> void:
 	var paper := 'fill="%s"' % SvgText.paper()
 	assert_string_contains(PlotMarker.new(1, true).element(0.0, 0.0, 5.0), paper)
 	assert_false(PlotMarker.new(1, false).element(0.0, 0.0, 5.0).contains(paper))
@@ -108,12 +108,12 @@ func _picture() -> String:
 	return ProblemPicture.of(BallInBoxProblem.new(), rows)
 
 
-func _row(method: String, is_peer: bool) -> Measurement:
+func _row(method: String, is_baseline: bool) -> Measurement:
 	var row := Measurement.new()
 	row.problem = "ball_in_box"
 	row.situation = "300 px/s"
 	row.method = method
-	row.is_peer = is_peer
+	row.is_baseline = is_baseline
 	row.run_time_us = 10.0
 	row.error = 1.0
 	return row

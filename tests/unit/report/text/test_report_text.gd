@@ -19,13 +19,14 @@ func test_a_situation_names_the_frontier_and_the_ratios() -> void:
 	var rows := _rows()
 	var text := SituationText.of("300 px/s", rows, "")
 	assert_string_starts_with(
-		text, "- **300 px/s**: on the frontier quick peer (60 Hz) 10.0 µs, 4.0 px;"
+		text, "- **300 px/s**: on the frontier quick baseline (60 Hz) 10.0 µs, 4.0 px;"
 	)
 	assert_string_contains(text, "own 40.0 µs, 2.0e-9 px.")
 	assert_string_contains(
-		text, "fastest peer, quick peer (60 Hz), takes 0.25 times as long as own and is 2.0e9 times"
+		text,
+		"fastest baseline, quick baseline (60 Hz), takes 0.25 times as long as own and is 2.0e9 times"
 	)
-	assert_string_contains(text, "most exact peer, fine peer, takes 5.0 times as long")
+	assert_string_contains(text, "most exact baseline, fine baseline, takes 5.0 times as long")
 
 
 func test_the_champion_is_put_in_relation_even_if_another_is_more_exact() -> void:
@@ -144,9 +145,9 @@ func _goal(rows: Array[Measurement], words: String) -> ReportGoal:
 
 func _rows() -> Array[Measurement]:
 	return [
-		_row("quick peer", "60 Hz", true, 10.0, 4.0),
+		_row("quick baseline", "60 Hz", true, 10.0, 4.0),
 		_row("own", "", false, 40.0, 2e-9),
-		_row("fine peer", "", true, 200.0, 2e-3),
+		_row("fine baseline", "", true, 200.0, 2e-3),
 	]
 
 
@@ -163,13 +164,15 @@ func _balls(method: String, rate: int, time: float) -> Measurement:
 	return row
 
 
-func _row(method: String, tuning: String, is_peer: bool, time: float, error: float) -> Measurement:
+func _row(
+	method: String, tuning: String, is_baseline: bool, time: float, error: float
+) -> Measurement:
 	var row := Measurement.new()
 	row.problem = "ball_in_box"
 	row.situation = "300 px/s"
 	row.method = method
 	row.tuning = tuning
-	row.is_peer = is_peer
+	row.is_baseline = is_baseline
 	row.run_time_us = time
 	row.error = error
 	return row

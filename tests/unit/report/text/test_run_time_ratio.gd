@@ -32,12 +32,12 @@ func test_only_rows_that_are_in_all_reports_are_compared() -> void:
 	assert_eq(RunTimeRatio.of([], [[_row(2.0)]]).size(), 0)
 
 
-func test_the_lab_and_its_peers_have_medians_of_their_own() -> void:
-	var peers: Array[Measurement] = [_row(5.0), _row(6.0)]
-	for peer in peers:
-		peer.method = "engine"
-		peer.is_peer = true
-	var ratios := RunTimeRatio.of([[_row(1.0), peers[0]]], [[_row(3.0), peers[1]]])
+func test_the_lab_and_its_baselines_have_medians_of_their_own() -> void:
+	var baselines: Array[Measurement] = [_row(5.0), _row(6.0)]
+	for baseline in baselines:
+		baseline.method = "engine"
+		baseline.is_baseline = true
+	var ratios := RunTimeRatio.of([[_row(1.0), baselines[0]]], [[_row(3.0), baselines[1]]])
 	assert_eq(RunTimeRatio.median_of(ratios, false), 3.0)
 	assert_almost_eq(RunTimeRatio.median_of(ratios, true), 1.2, 1e-15)
 	assert_true(is_nan(RunTimeRatio.median_of([], true)))
@@ -47,7 +47,7 @@ func test_the_text_marks_what_differs_by_more_than_its_spread() -> void:
 	var clear := RunTimeRatio.of([[_row(10.0, 8.0, 12.5)]], [[_row(20.0, 18.75, 24.0)]])
 	var text := ComparisonText.of(clear, 1, 1)
 	assert_string_contains(text, "| box | way, 300 px/s | **2.000** (1.500 to 3.000) |")
-	assert_string_contains(text, "the lab's own methods 2.000, peers none.")
+	assert_string_contains(text, "the lab's own methods 2.000, baselines none.")
 	var unknown := ComparisonText.of(RunTimeRatio.of([[_row(10.0)]], [[_row(20.0)]]), 1, 1)
 	assert_string_contains(unknown, "| 2.000 (spread unknown) |")
 	assert_string_contains(ComparisonText.of([], 1, 1), "No row is in all of these reports.")

@@ -14,7 +14,7 @@ func test_energy_stays_for_a_minute_when_the_whole_frame_is_used() -> void:
 
 func test_dropping_the_rest_of_the_frame_loses_energy() -> void:
 	var world := SteppedWorlds.box(1, 5)
-	world.mover = SteppedWorld.mover_of(SteppedWorld.Method.POINT_OF_IMPACT)
+	world.mover = SteppingMethods.mover_of(SteppingMethods.Method.POINT_OF_IMPACT)
 	var before := world.energy()
 	SteppedWorlds.run(world, 3600)
 	assert_between(world.energy() / before, 0.5, 0.98)
@@ -23,8 +23,8 @@ func test_dropping_the_rest_of_the_frame_loses_energy() -> void:
 func test_position_reset_gains_energy() -> void:
 	var world := SteppedWorlds.box(1, 5)
 	# Too large to pass a line within a frame.
-	world.set_balls([Ball.new(Vec2.new(-200.0, -100.0), 20.0, Vec2.new(50.0, 0.0))])
-	world.mover = SteppedWorld.mover_of(SteppedWorld.Method.POSITION_RESET)
+	Refusal.push(world.set_balls([Ball.new(Vec2.new(-200.0, -100.0), 20.0, Vec2.new(50.0, 0.0))]))
+	world.mover = SteppingMethods.mover_of(SteppingMethods.Method.POSITION_RESET)
 	var before := world.energy()
 	SteppedWorlds.run(world, 3600)
 	assert_between(world.energy() / before, 1.02, 2.0)
@@ -57,7 +57,7 @@ func test_a_thin_line_is_never_passed_however_fast_the_ball() -> void:
 func test_a_ball_comes_to_rest_on_a_level_floor() -> void:
 	var ball := Ball.new(Vec2.new(0.0, -60.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-90, 0, 90, 0)], ball, Vec2.new(0.0, 300.0))
-	world.surroundings.set_bounciness(0.5)
+	Refusal.push(world.surroundings.set_bounciness(0.5))
 	SteppedWorlds.run(world, 600)
 	assert_vec2(world.balls[0].position, Vec2.new(0.0, -10.0), 1e-6)
 	assert_eq(world.balls[0].velocity.length(), 0.0)
@@ -67,7 +67,7 @@ func test_a_ball_slides_down_a_slope_as_fast_as_gravity_along_it_makes_it() -> v
 	# A slope of the 3-4-5 triangle: 500 px/s^2 down, 300 along it.
 	var ball := Ball.new(Vec2.new(-160.0 + 6.0, -120.0 - 8.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-400, -300, 400, 300)], ball, Vec2.new(0.0, 500.0))
-	world.surroundings.set_bounciness(0.0)
+	Refusal.push(world.surroundings.set_bounciness(0.0))
 	SteppedWorlds.run(world, 60)
 	# It starts 1e-14 px off the slope, by rounding, and v^2 = 2 g s makes 3e-6 px/s of that.
 	assert_vec2(world.balls[0].velocity, Vec2.new(240.0, 180.0), 1e-5)
@@ -79,7 +79,7 @@ func test_a_ball_wedged_in_a_corner_stays_and_costs_no_bounces() -> void:
 	var world := SteppedWorlds.world(
 		lines, Ball.new(Vec2.new(5.0, -40.0), 10.0), Vec2.new(0.0, 300.0)
 	)
-	world.surroundings.set_bounciness(0.6)
+	Refusal.push(world.surroundings.set_bounciness(0.6))
 	SteppedWorlds.run(world, 900)
 	var place := world.balls[0].position.copy()
 	var bounces := world.bounces
@@ -92,7 +92,7 @@ func test_a_resting_ball_falls_when_gravity_turns() -> void:
 	var ball := Ball.new(Vec2.new(0.0, -10.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-90, 0, 90, 0)], ball, Vec2.new(0.0, 300.0))
 	SteppedWorlds.run(world, 30)
-	world.surroundings.set_gravity(Vec2.new(0.0, -300.0))
+	Refusal.push(world.surroundings.set_gravity(Vec2.new(0.0, -300.0)))
 	SteppedWorlds.run(world, 60)
 	assert_vec2(world.balls[0].position, Vec2.new(0.0, -160.0), 1e-6)
 
@@ -127,7 +127,7 @@ func test_a_state_put_back_runs_on_to_the_same_bits() -> void:
 func test_a_stored_world_put_into_another_runs_the_same() -> void:
 	var world := SteppedWorlds.box(5, 4)
 	SteppedWorlds.run(world, 30)
-	var other := SteppedWorld.new()
+	var other := SteppedWorld.new(WholeFrameMover.new())
 	WorldState.put(WorldState.of(world), other)
 	SteppedWorlds.run(world, 100)
 	SteppedWorlds.run(other, 100)
@@ -138,7 +138,7 @@ func test_a_copy_shares_nothing() -> void:
 	var world := SteppedWorlds.box(2, 4)
 	var before := world.state()
 	var copy := world.copy()
-	copy.surroundings.set_gravity(Vec2.new(0.0, -900.0))
+	Refusal.push(copy.surroundings.set_gravity(Vec2.new(0.0, -900.0)))
 	SteppedWorlds.run(copy, 60)
 	assert_eq(world.state(), before)
 	assert_vec2(world.surroundings.gravity, Vec2.new(0.0, 300.0), 0.0)
@@ -151,7 +151,7 @@ func test_history_goes_back_ten_seconds_to_the_same_bits() -> void:
 	var first := world.state()
 	for frame: int in 600:
 		history.remember(worlds)
-		world.step(FRAME)
+		Refusal.push(world.step(FRAME))
 	for frame: int in 600:
 		history.go_back(worlds)
 	assert_eq(world.state(), first)
@@ -160,7 +160,7 @@ func test_history_goes_back_ten_seconds_to_the_same_bits() -> void:
 
 func test_history_forgets_the_oldest_beyond_its_length() -> void:
 	var history := StepHistory.new()
-	var worlds: Array[SteppedWorld] = [SteppedWorld.new()]
+	var worlds: Array[SteppedWorld] = [SteppedWorld.new(WholeFrameMover.new())]
 	for frame: int in StepHistory.LONGEST + 10:
 		history.remember(worlds)
 	assert_eq(history.size(), StepHistory.LONGEST)

@@ -14,7 +14,7 @@ func test_a_bounciness_outside_0_to_1_is_refused() -> void:
 
 func test_gravity_that_is_not_finite_or_too_large_is_refused() -> void:
 	var surroundings := Surroundings.new()
-	surroundings.set_gravity(Vec2.new(0.0, 300.0))
+	assert_eq(surroundings.set_gravity(Vec2.new(0.0, 300.0)), "")
 	for value: float in [NAN, INF, 2e6]:
 		var problem := surroundings.set_gravity(Vec2.new(value, 0.0))
 		assert_string_contains(problem, "Gravity must be within -1e6..1e6")
@@ -24,7 +24,7 @@ func test_gravity_that_is_not_finite_or_too_large_is_refused() -> void:
 func test_one_line_without_length_refuses_all_and_keeps_the_old_ones() -> void:
 	var surroundings := Surroundings.new()
 	var line := LineSegment.new(Vec2.new(), Vec2.new(5.0, 0.0))
-	surroundings.set_segments([line])
+	assert_eq(surroundings.set_segments([line]), "")
 	var dot := LineSegment.new(Vec2.new(3.0, 3.0), Vec2.new(3.0, 3.0))
 	assert_string_contains(surroundings.set_segments([line, line, dot]), "longer than 0")
 	assert_eq(surroundings.segments.size(), 1)

@@ -7,24 +7,26 @@ const TOLERANCE := 0.1
 
 func after_each() -> void:
 	assert_eq(Engine.physics_ticks_per_second, 60, "the rate is set back")
-	var spaces := get_children().filter(func(child: Node) -> bool: return child is PeerSpace)
+	var spaces := get_children().filter(func(child: Node) -> bool: return child is EngineSpace)
 	assert_eq(spaces, [], "nothing is left in the tree")
 
 
 func test_a_free_flight_is_right_by_every_method_at_every_rate() -> void:
 	for rate: int in [60, 240]:
 		var shot := BoxShot.new(300.0, 0.1)
-		for case in ShotPeers.moved(self, shot, rate) + ShotPeers.rigid(self, shot, rate, false):
+		for case in (
+			EngineShotCases.moved(self, shot, rate) + EngineShotCases.rigid(self, shot, rate, false)
+		):
 			@warning_ignore("redundant_await")
 			await case.run_once()
 			case.finish()
 			assert_lt(case.error, 1e-3, "%s, %s" % [case.method, case.tuning])
-			assert_true(case.is_peer)
+			assert_true(case.is_baseline)
 
 
 func test_a_few_bounces_end_about_where_they_should() -> void:
 	var shot := BoxShot.new(300.0, 2.0)
-	for case in ShotPeers.moved(self, shot, 240):
+	for case in EngineShotCases.moved(self, shot, 240):
 		@warning_ignore("redundant_await")
 		await case.run_once()
 		assert_lt(case.error, 1.0, case.method)
@@ -81,10 +83,10 @@ func test_a_vector2_projects_to_32_bits() -> void:
 	assert_between(case.error, 1e-9, 1e-6)
 
 
-func test_every_problem_has_a_peer() -> void:
+func test_every_problem_has_a_case_of_the_engine() -> void:
 	for problem in ReportProblems.all():
 		for is_quick: bool in [true, false]:
-			var peers := PeerCases.of(problem.id, is_quick, self)
-			assert_gt(peers.size(), 0, problem.id)
-			for peer in peers:
-				assert_eq([peer.problem, peer.is_peer], [problem.id, true])
+			var cases := EngineCases.of(problem.id, is_quick, self)
+			assert_gt(cases.size(), 0, problem.id)
+			for case in cases:
+				assert_eq([case.problem, case.is_baseline], [problem.id, true])

@@ -1,9 +1,9 @@
-class_name ShotPeers
+class_name EngineShotCases
 extends RefCounted
-## The engine's own ways to fly one ball.
+## The engine's own methods for the flight of one ball.
 
 
-## All of them, for the ball in the box.
+## All methods for the ball in the box.
 static func in_box(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for shot in BallInBoxProblem.shots():
@@ -17,7 +17,7 @@ static func in_box(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	return found
 
 
-## All of them, for the ball among angled lines.
+## All methods for the ball among angled lines.
 static func among_lines(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	var shot := LinesShot.new()
@@ -27,7 +27,8 @@ static func among_lines(is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	return found
 
 
-## One concave shape of all segments: among as many shapes of their own a body jams.
+## The methods for the ball among many segments, which form one concave shape: among as many
+## separate shapes a body jams.
 static func among_many(host: Node) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for count in ManySegmentsProblem.COUNTS:
@@ -37,7 +38,8 @@ static func among_many(host: Node) -> Array[MeasuredCase]:
 	return found
 
 
-## By move_and_collide and body_test_motion, each among segments and against one concave shape.
+## Flights by move_and_collide and body_test_motion, each with separate segments and with one
+## concave shape.
 static func moved(host: Node, shot: Shot, rate: int) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for is_one_shape: bool in [false, true]:
@@ -46,15 +48,15 @@ static func moved(host: Node, shot: Shot, rate: int) -> Array[MeasuredCase]:
 	return found
 
 
-# Its frames are slow, so there are few for the long flight.
+# Physics frames are slow, so the long flight has few of them.
 static func _rigid_rates(is_long: bool, is_quick: bool) -> PackedInt32Array:
 	if is_long:
 		return [60]
 	return [60, 240] if is_quick else [60, 240, 960]
 
 
-## By RigidBody2D, without continuous detection and with; [param are_few] leaves out the one that
-## casts the shape, which differs little from none.
+## Flights by RigidBody2D, without and with continuous detection. [param are_few] leaves out the
+## detection that casts the shape, because it differs little from none.
 static func rigid(host: Node, shot: Shot, rate: int, are_few: bool) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	for mode in RigidFlight.MODES:

@@ -1,5 +1,6 @@
-class_name ExactImpactTime
-## Times of impact to about 100 bits: what the readout compares the lecture's formulas with.
+class_name ExactImpactFraction
+## The fraction of the frame before an impact, to about 100 bits: what the readout compares the
+## lecture's formulas with.
 ##
 ## The coordinates, as doubles, are taken as exact. Coordinates up to 1e6, as in [LineEndsModel].
 
@@ -21,8 +22,8 @@ static func with_point(from: Vec2, motion: Vec2, radius: float, point: Vec2) -> 
 	return zero.minus(half_b).minus(quarter_discriminant.square_root()).divided(a)
 
 
-## The time at which a ball touches the infinite line on the side where it begins; null where it
-## moves along the line.
+## The fraction at which a ball touches the infinite line on the side where it begins; null where
+## it moves along the line.
 static func with_line(from: Vec2, motion: Vec2, radius: float, line: LineSegment) -> DoubleDouble:
 	var along_x := DoubleDouble.sum_of(line.end.x, -line.start.x)
 	var along_y := DoubleDouble.sum_of(line.end.y, -line.start.y)

@@ -1,9 +1,9 @@
-class_name PeerSpace
+class_name EngineSpace
 extends SubViewport
-## A physics space of its own for the engine's bodies that are measured, so that they meet nothing
-## else. Nothing of it is drawn.
+## A physics space for the engine's bodies that are measured, so that they meet nothing else. It is
+## not drawn.
 
-## The number of contacts in one step after which a loop over the rest of the motion gives up.
+## The most contacts in one step; then the rest of the motion is dropped.
 const MOST_CONTACTS := 8
 
 
@@ -16,7 +16,7 @@ func _init(host: Node) -> void:
 	set_gravity(0.0)
 
 
-## Downwards, in pixels per second squared.
+## Sets gravity: downwards, in pixels per second squared.
 func set_gravity(gravity: float) -> void:
 	PhysicsServer2D.area_set_param(world_2d.space, PhysicsServer2D.AREA_PARAM_GRAVITY, gravity)
 	PhysicsServer2D.area_set_param(
@@ -24,7 +24,7 @@ func set_gravity(gravity: float) -> void:
 	)
 
 
-## Adds the segments as one wall: each a shape of its own, or all of them one concave shape.
+## Adds the segments as one static body: each as a shape of its own, or all as one concave shape.
 func add_walls(segments: Array[LineSegment], as_one_shape: bool) -> StaticBody2D:
 	var wall := StaticBody2D.new()
 	if as_one_shape:
@@ -39,7 +39,7 @@ func add_walls(segments: Array[LineSegment], as_one_shape: bool) -> StaticBody2D
 	return wall
 
 
-## Adds a body with the size and the place of [param ball].
+## Adds a body with the radius and position of [param ball].
 func add_ball(body: CollisionObject2D, ball: Ball) -> void:
 	var circle := CircleShape2D.new()
 	circle.radius = ball.radius
@@ -48,12 +48,12 @@ func add_ball(body: CollisionObject2D, ball: Ball) -> void:
 	add_child(body)
 
 
-## Adds a rigid body that bounces elastically, does not rub, is not slowed down and does not turn.
+## Adds a rigid body that bounces elastically, without friction, damping or rotation.
 func add_rigid_ball(ball: Ball, mode: RigidBody2D.CCDMode) -> RigidBody2D:
 	var body := RigidBody2D.new()
 	body.physics_material_override = PhysicsMaterial.new()
 	body.physics_material_override.friction = 0.0
-	# The engine adds both bouncinesses and clamps the sum: the walls have none.
+	# The engine adds the bounciness of both bodies and clamps the sum: so the walls have none.
 	body.physics_material_override.bounce = 1.0
 	body.linear_damp_mode = RigidBody2D.DAMP_MODE_REPLACE
 	body.linear_damp = 0.0

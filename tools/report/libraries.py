@@ -1,6 +1,6 @@
 """Measures Box2D and Chipmunk at the ball in the box and at many balls.
 
-Usage: peers.py SHOTS RESULTS. SHOTS is what tools/report/write_shots.gd has written. RESULTS gets a
+Usage: libraries.py SHOTS RESULTS. SHOTS is what tools/report/write_shots.gd has written. RESULTS gets a
 list of measurements in JSON; the error of the ball in the box is worked out by the report itself.
 
 A run time is the median of 5 runs and holds the steps alone: reading places through Python would

@@ -1,10 +1,10 @@
-class_name PeerCases
+class_name EngineCases
 extends RefCounted
-## The engine's own methods, for each problem of the report that it can be set to.
+## The engine's own methods for the problems of the report.
 
 
-## Fresh cases for the problem with that id. What they need of the engine becomes a child of
-## [param host], which has to be in the tree, and is freed by [method MeasuredCase.finish].
+## New cases for the problem with this id. Their nodes become children of [param host], which must
+## be in the tree; [method MeasuredCase.finish] frees them.
 static func of(problem_id: String, is_quick: bool, host: Node) -> Array[MeasuredCase]:
 	var found: Array[MeasuredCase] = []
 	match problem_id:
@@ -12,11 +12,11 @@ static func of(problem_id: String, is_quick: bool, host: Node) -> Array[Measured
 			for situation in ProjectionPairs.SITUATIONS:
 				found.append(Vector2Projection.new(situation, is_quick))
 		"ball_in_box":
-			found = ShotPeers.in_box(is_quick, host)
+			found = EngineShotCases.in_box(is_quick, host)
 		"angled_lines":
-			found = ShotPeers.among_lines(is_quick, host)
+			found = EngineShotCases.among_lines(is_quick, host)
 		"many_segments":
-			found = ShotPeers.among_many(host)
+			found = EngineShotCases.among_many(host)
 		"dropped_ball":
 			for bounciness in DroppedBall.BOUNCINESSES:
 				for rate: int in [60] if is_quick else [60, 240]:

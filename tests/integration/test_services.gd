@@ -1,0 +1,90 @@
+extends ScreenTest
+## What the services of the panel do for every lesson.
+
+const _FOLDER := "res://scenes/widgets/services/"
+
+
+## A question whose numbers the board can show.
+class ShownExercise:
+	extends Exercise
+
+	func board_state() -> Dictionary:
+		return {"a": 3.0}
+
+
+func test_steps_open_at_the_last_one() -> void:
+	var steps := _added("steps") as Steps
+	steps.tell(["one", "two", "three"])
+	assert_eq(steps.step, 2)
+	steps.go_to(1)
+	steps.tell(["one", "two", "three", "four"])
+	assert_eq(steps.step, 1, "new sentences keep the step")
+
+
+func test_steps_open_where_the_lesson_wants_them() -> void:
+	var steps := _added("steps") as Steps
+	steps.open_at(0)
+	steps.tell(["one", "two", "three"])
+	assert_eq(steps.step, 0)
+
+
+func test_a_preset_is_picked_with_what_it_changes() -> void:
+	var options := _added("options") as LessonOptions
+	options.offer_presets({"Near": {"a": 1.0}, "Far": {"a": 9.0}})
+	watch_signals(options)
+	(options.get_node("%Presets").get_child(1) as Button).pressed.emit()
+	assert_signal_emitted_with_parameters(options, "picked", [{"a": 9.0}])
+	assert_signal_emit_count(options, "picked", 1)
+
+
+func test_a_switch_is_picked_by_its_key_and_shows_the_state() -> void:
+	var options := _added("options") as LessonOptions
+	options.add_switch("is_on", "On")
+	var button := options.get_node("%Switches").get_child(0) as CheckButton
+	options.show_picked({"is_on": true, "other": 1.0})
+	assert_true(button.button_pressed)
+	watch_signals(options)
+	button.button_pressed = false
+	assert_signal_emitted_with_parameters(options, "picked", [{"is_on": false}])
+
+
+func test_a_mistake_is_picked_by_its_number_and_shows_the_state() -> void:
+	var mistakes := _added("mistakes") as Mistakes
+	mistakes.add_all([MistakeInfo.new(9, "a title", "a sentence", "test_a.test_b")])
+	var list := mistakes.get_node("%List") as OptionButton
+	mistakes.show_picked({"mistake": 9})
+	assert_eq(list.selected, 1)
+	mistakes.show_picked({})
+	assert_eq(list.selected, 1, "a state without a mistake says nothing")
+	watch_signals(mistakes)
+	list.item_selected.emit(0)
+	assert_signal_emitted_with_parameters(mistakes, "picked", [{"mistake": 0}])
+
+
+func test_a_question_is_shown_where_its_numbers_are_taken() -> void:
+	var question := _added("question") as Question
+	var shown := question.get_node("%Show") as Button
+	question.show_exercise(ShownExercise.new())
+	await student.settle()
+	assert_false(shown.visible, "nobody takes them")
+	question.picked.connect(func(_changes: Dictionary) -> void: pass)
+	question.show_exercise(ShownExercise.new())
+	await student.settle()
+	assert_true(shown.visible)
+	question.show_exercise(Exercise.new())
+	await student.settle()
+	assert_false(shown.visible, "an exercise without a state of the board")
+
+
+func test_a_question_is_picked_with_the_state_that_shows_it() -> void:
+	var question := _added("question") as Question
+	question.show_exercise(ShownExercise.new())
+	watch_signals(question)
+	(question.get_node("%Show") as Button).pressed.emit()
+	assert_signal_emitted_with_parameters(question, "picked", [{"a": 3.0}])
+
+
+func _added(service: String) -> Control:
+	var added := (load(_FOLDER + service + ".tscn") as PackedScene).instantiate() as Control
+	add_child_autofree(added)
+	return added

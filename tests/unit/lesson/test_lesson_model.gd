@@ -1,0 +1,31 @@
+extends LabTest
+## What every lesson's model does with a change of a part of its state.
+
+
+class TwoNumbers:
+	extends LessonModel
+	var first := 1.0
+	var second := 2.0
+
+	func to_dictionary() -> Dictionary:
+		return {"first": first, "second": second}
+
+	func from_dictionary(stored: Dictionary) -> void:
+		first = stored["first"]
+		second = stored["second"]
+
+	func problem_in(stored: Dictionary) -> String:
+		var wanted: float = stored["first"]
+		return "" if wanted < 10.0 else "first must be below 10"
+
+
+func test_what_a_change_does_not_name_stays() -> void:
+	var model := TwoNumbers.new()
+	assert_eq(model.take({"first": 5.0}), "")
+	assert_eq(model.to_dictionary(), {"first": 5.0, "second": 2.0})
+
+
+func test_a_change_that_is_refused_changes_nothing() -> void:
+	var model := TwoNumbers.new()
+	assert_eq(model.take({"first": 50.0, "second": 7.0}), "first must be below 10")
+	assert_eq(model.to_dictionary(), {"first": 1.0, "second": 2.0})
