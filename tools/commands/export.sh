@@ -55,8 +55,8 @@ export_demo() {
 	mkdir -p "$(dirname "$3")"
 	env ${data_home:+"XDG_DATA_HOME=$data_home"} "$LAB_ROOT/tools/shared/run_with_patience.sh" 120 \
 		"$godot" --headless --path "$LAB_ROOT" --export-release "$1 $2" "$3" >"$log" || status=$?
-	if [ "$status" -ne 0 ] || [ -n "$(engine_messages "$log")" ] || [ ! -f "$3" ]; then
-		engine_messages "$log" >&2
+	if [ "$status" -ne 0 ] || [ -n "$(messages_of_editor "$log")" ] || [ ! -f "$3" ]; then
+		messages_of_editor "$log" >&2
 		die 1 "'$2' could not be exported for $1; all that Godot said is in $log"
 	fi
 }
