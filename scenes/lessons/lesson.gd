@@ -37,8 +37,13 @@ func _enter_tree() -> void:
 
 
 ## Shows [param model] from now on, by [param show_model]. Undo, reset and links keep its state. The
-## board is fitted to the points that [param points] returns, except during a drag.
+## board is fitted to the points that [param points] returns, except during a drag. An error if the
+## lesson cannot show the model as it is now: then a value in the scene is wrong.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
+	var problem := model.problem_in(model.to_dictionary())
+	if problem:
+		push_error(problem)
+		return
 	_kept_model = model
 	_show_again = show_model
 	_points_to_show = points

@@ -12,6 +12,7 @@ const WrittenCode := preload("written_code.gd")
 
 const _CLASSES := "res://.godot/global_script_class_cache.cfg"
 const _IDS := "res://.godot/uid_cache.bin"
+const _CLASS_KEYS: Array[String] = ["base", "class", "is_abstract", "is_tool", "language", "path"]
 const _COMPRESSED := "res://.godot/exported/compressed."
 const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
@@ -67,15 +68,20 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## The entries of [param files] in the list of classes, which is a text.
+## The entries of [param files] in the list of classes, which is a text: without spaces, and with the
+## keys that the engine reads.
 static func classes_of(files: PackedStringArray, list: PackedByteArray) -> PackedByteArray:
 	var classes := ConfigFile.new()
 	classes.parse(list.get_string_from_utf8())
 	var entries: Array = classes.get_value("", "list")
-	classes.set_value(
-		"", "list", entries.filter(func(entry: Dictionary) -> bool: return entry["path"] in files)
-	)
-	return classes.encode_to_text().to_utf8_buffer()
+	var texts: PackedStringArray = []
+	for entry: Dictionary in entries:
+		if entry["path"] in files:
+			var parts := _CLASS_KEYS.map(
+				func(key: String) -> String: return '"%s":%s' % [key, var_to_str(entry[key])]
+			)
+			texts.append("{%s}" % ",".join(parts))
+	return ("list=[%s]\n" % ",".join(texts)).to_utf8_buffer()
 
 
 ## The entries of [param files] in the list of ids: a count, then an id of 8 bytes, a length of 4

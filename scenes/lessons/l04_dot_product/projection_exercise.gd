@@ -42,6 +42,10 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
 	return exercise
 
 
+func board_state() -> Dictionary:
+	return {a = [a.x, a.y], a_from = [0, 0], b = [b.x, b.y], b_from = [0, 0]}
+
+
 static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))

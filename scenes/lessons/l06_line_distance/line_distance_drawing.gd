@@ -1,14 +1,14 @@
 class_name LineDistanceDrawing
 extends Node2D
 ## The drawing of the lesson on the distance from a line: difference vector, its shadow on the
-## normal, the gap, and what the mistake that is switched on makes of it.
+## normal, the gap, what the mistake that is switched on makes of it, and the verdict.
 
 @onready var _endless: InfiniteLine = %Endless
 @onready var _line: DraggableVector = %Line
 @onready var _from: Handle = %From
 @onready var _ball: BallView = %Ball
 @onready var _ball_handle: BallHandle = %BallHandle
-@onready var _labels: LineDistanceLabels = %Labels
+@onready var _names: DistanceNames = %Names
 @onready var _difference: Arrow = %Difference
 @onready var _normal: Arrow = %Normal
 @onready var _shadow: Arrow = %Shadow
@@ -20,6 +20,7 @@ extends Node2D
 @onready var _wrong_ball: BallView = %WrongBall
 @onready var _wrong_way: DimensionLine = %WrongWay
 @onready var _right_way: DimensionLine = %RightWay
+@onready var _verdict: VerdictCard = %Verdict
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
@@ -33,6 +34,8 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_gap(model, step)
 	_lay_to_segment(model, step)
 	_lay_mistake(model)
+	_names.show_change()
+	_show_verdict(model)
 
 
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
@@ -49,10 +52,9 @@ func _lay_ball(model: LineDistanceModel, step: int) -> void:
 
 
 func _lay_normal(model: LineDistanceModel, step: int) -> void:
-	var times := 2.0 * _endless.board.grid_step
-	_normal.lay(model.from(), model.from().plus(model.line.normal().scaled(times)))
+	var drawn := model.line.normal().scaled(_names.times())
+	_normal.lay(model.from(), model.from().plus(drawn))
 	_normal.visible = step >= 1
-	_labels.lay(model, step, times)
 
 
 func _lay_shadow(model: LineDistanceModel, step: int) -> void:
@@ -111,3 +113,17 @@ func _lay_mistake(model: LineDistanceModel) -> void:
 	else:
 		_wrong_way.offset = 14.0
 		_wrong_way.lay(model.foot(), place, _away_from_p(model))
+
+
+# The card gives way to the ball, and to where a mistake has it.
+func _show_verdict(model: LineDistanceModel) -> void:
+	_verdict.show_verdict(
+		NumberText.MINUS if model.is_behind() else "+",
+		Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT,
+		LineDistanceTexts.verdict(model)
+	)
+	var board := _endless.board
+	var balls: PackedVector2Array = [board.to_screen(model.ball.position)]
+	if _wrong_ball.visible:
+		balls.append(board.to_screen(model.position_with_mistake()))
+	_verdict.keep_off(balls, model.ball.radius * board.pixels_per_unit)

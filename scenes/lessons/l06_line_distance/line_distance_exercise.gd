@@ -39,6 +39,15 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> LineDistanceExercis
 	return new(kind, asked, Ball.new(centre, rng.randi_range(1, 4)))
 
 
+## The line and the ball of the question, with p at the start of the line.
+func board_state() -> Dictionary:
+	return {
+		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
+		"ball": PackedFloat64Array([ball.position.x, ball.position.y, ball.radius]),
+		"from_share": 0.0,
+	}
+
+
 static func _random_sign(rng: RandomNumberGenerator) -> int:
 	return 1 if rng.randi_range(0, 1) == 1 else -1
 

@@ -1,78 +1,101 @@
 class_name LineDistanceFormula
 extends RefCounted
-## Puts the numbers of the lesson on the distance from a line into its formula lines.
+## The formula of the lesson on the distance from a line: its lines, and what each name in them is.
+
+# With a mistake, its line replaces those after this step.
+const _LAST_STEP_WITH_MISTAKE := 2
+# What each mistake computes.
+const _WRONG_LINES: Dictionary[int, String] = {
+	LineDistanceMistakes.NOT_UNIT: "{wrong}: {d} · ( −({ly}), {lx} ) = {wrong_distance}",
+	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
+	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: straight up {wrong_distance}",
+}
 
 var _formula: Formula
 
 
-## Says to [param formula] what the names in [LineDistanceTexts] stand for.
+## Writes into [param formula].
 func _init(formula: Formula) -> void:
 	_formula = formula
-	_define_symbols()
-	_define_fields()
-	for number: String in ["ly", "lx", "length"]:
-		_formula.define_number(number, Palette.Role.INK)
-	for number: String in ["d_pair", "dx", "dy"]:
-		_formula.define_number(number, Palette.Role.A)
-	for number: String in ["n_pair", "nx", "ny"]:
-		_formula.define_number(number, Palette.Role.UNIT)
-	_formula.define_number("distance", Palette.Role.PROJECTION)
-	_formula.define_number("gap", Palette.Role.INK)
-	_formula.define_number("nearest", Palette.Role.REST)
-	_formula.define_number("segment", Palette.Role.REST)
-	_formula.define_number("wrong_distance", Palette.Role.WRONG)
 
 
 ## Shows the lines of all steps up to [param step] with the numbers of [param model].
 func show_model(model: LineDistanceModel, step: int) -> void:
-	_formula.show_lines(LineDistanceTexts.lines(model, step))
-	_put_fields(model)
+	_put_symbols()
+	_put_what_is_typed(model)
 	_put_vectors(model.line.along(), model.difference(), model.line.normal())
-	_formula.set_text("distance", NumberText.short(model.distance()))
-	_formula.set_text("gap", NumberText.short(model.gap()))
-	_formula.set_vector("nearest", model.nearest())
-	_formula.set_text("segment", NumberText.short(model.segment_distance()))
-	_formula.set_text("wrong_distance", NumberText.short(model.distance_with_mistake()))
+	_put_distances(model)
+	_formula.show_lines(_lines(model, step))
 
 
-func _define_symbols() -> void:
-	_formula.define_symbol("l", "l", Palette.Role.INK)
-	_formula.define_symbol("c", "c", Palette.Role.INK)
-	_formula.define_symbol("p", "p", Palette.Role.A)
-	_formula.define_symbol("d", "d", Palette.Role.A)
-	_formula.define_symbol("n", "n̂", Palette.Role.UNIT)
-	_formula.define_symbol("wrong", TranslationServer.translate("wrong"), Palette.Role.WRONG)
+func _lines(model: LineDistanceModel, step: int) -> PackedStringArray:
+	var found: PackedStringArray = []
+	var last := step if model.mistake == 0 else mini(step, _LAST_STEP_WITH_MISTAKE)
+	for added: PackedStringArray in _lines_by_step().slice(0, last + 1):
+		found.append_array(added)
+	if model.mistake != 0:
+		found.append(_WRONG_LINES[model.mistake])
+	return found
 
 
-func _define_fields() -> void:
-	_formula.define_number("sx", Palette.Role.INK, tr("x of the line's start"))
-	_formula.define_number("sy", Palette.Role.INK, tr("y of the line's start"))
-	_formula.define_number("ex", Palette.Role.INK, tr("x of the line's end"))
-	_formula.define_number("ey", Palette.Role.INK, tr("y of the line's end"))
-	_formula.define_number("cx", Palette.Role.INK, tr("x of the ball's centre"))
-	_formula.define_number("cy", Palette.Role.INK, tr("y of the ball's centre"))
-	_formula.define_number("r", Palette.Role.INK, tr("radius of the ball"))
-	_formula.define_number("share", Palette.Role.A, tr("place of p: 0 at the start, 1 at the end"))
+# The lines that each step adds.
+func _lines_by_step() -> Array[PackedStringArray]:
+	return [
+		[
+			tr("{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )"),
+			tr("{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}"),
+			"{d} = {c} − {p} = {d_pair}"
+		],
+		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
+		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
+		["gap = {d} · {n} − r = {gap}"],
+		[tr("to the segment: |{c} − {nearest}| = {segment}")],
+	]
 
 
-func _put_fields(model: LineDistanceModel) -> void:
-	_formula.set_number("sx", model.line.start.x)
-	_formula.set_number("sy", model.line.start.y)
-	_formula.set_number("ex", model.line.end.x)
-	_formula.set_number("ey", model.line.end.y)
-	_formula.set_number("cx", model.ball.position.x)
-	_formula.set_number("cy", model.ball.position.y)
-	_formula.set_number("r", model.ball.radius)
-	_formula.set_number("share", model.from_share)
+func _put_symbols() -> void:
+	_formula.put_symbol("l", "l", Palette.Role.INK)
+	_formula.put_symbol("c", "c", Palette.Role.INK)
+	_formula.put_symbol("p", "p", Palette.Role.A)
+	_formula.put_symbol("d", "d", Palette.Role.A)
+	_formula.put_symbol("n", "n̂", Palette.Role.UNIT)
+	_formula.put_symbol("wrong", tr("wrong"), Palette.Role.WRONG)
+
+
+# Each of these has its counterpart in LineDistanceModel.enter.
+func _put_what_is_typed(model: LineDistanceModel) -> void:
+	var ink := Palette.Role.INK
+	_formula.put_number("sx", model.line.start.x, ink, tr("x of the line's start"))
+	_formula.put_number("sy", model.line.start.y, ink, tr("y of the line's start"))
+	_formula.put_number("ex", model.line.end.x, ink, tr("x of the line's end"))
+	_formula.put_number("ey", model.line.end.y, ink, tr("y of the line's end"))
+	_formula.put_number("cx", model.ball.position.x, ink, tr("x of the ball's centre"))
+	_formula.put_number("cy", model.ball.position.y, ink, tr("y of the ball's centre"))
+	_formula.put_number("r", model.ball.radius, ink, tr("radius of the ball"))
+	var title := tr("place of p: 0 at the start, 1 at the end")
+	_formula.put_number("share", model.from_share, Palette.Role.A, title)
 
 
 func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2) -> void:
-	_formula.set_text("lx", NumberText.short(along.x))
-	_formula.set_text("ly", NumberText.short(along.y))
-	_formula.set_number("length", along.length())
-	_formula.set_vector("d_pair", difference)
-	_formula.set_number("dx", difference.x)
-	_formula.set_number("dy", difference.y)
-	_formula.set_vector("n_pair", normal)
-	_formula.set_number("nx", normal.x)
-	_formula.set_number("ny", normal.y)
+	_formula.put_text("lx", NumberText.short(along.x), Palette.Role.INK)
+	_formula.put_text("ly", NumberText.short(along.y), Palette.Role.INK)
+	_formula.put_number("length", along.length(), Palette.Role.INK)
+	_formula.put_vector("d_pair", difference, Palette.Role.A)
+	_formula.put_number("dx", difference.x, Palette.Role.A)
+	_formula.put_number("dy", difference.y, Palette.Role.A)
+	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
+	_formula.put_number("nx", normal.x, Palette.Role.UNIT)
+	_formula.put_number("ny", normal.y, Palette.Role.UNIT)
+
+
+func _put_distances(model: LineDistanceModel) -> void:
+	_put("distance", model.distance(), Palette.Role.PROJECTION)
+	_put("gap", model.gap(), Palette.Role.INK)
+	_formula.put_vector("nearest", model.nearest(), Palette.Role.REST)
+	_put("segment", model.segment_distance(), Palette.Role.REST)
+	_put("wrong_distance", model.distance_with_mistake(), Palette.Role.WRONG)
+
+
+# A result ends its line: no parentheses around a negative one.
+func _put(name_in_line: String, result: float, role: Palette.Role) -> void:
+	_formula.put_text(name_in_line, NumberText.short(result), role)

@@ -1,5 +1,5 @@
 class_name LineDistanceModel
-extends RefCounted
+extends LessonModel
 ## A ball and a line without ends: how far one is from the other, measured from any point of the
 ## line.
 
@@ -84,12 +84,52 @@ func position_with_mistake() -> Vec2:
 	return foot().plus(line.normal().scaled(distance_with_mistake()))
 
 
+## The points that the board has to show: the ends of the line, p, what is drawn between it and the
+## ball, and the ball as far as half its radius.
+func points_to_show() -> Array[Vec2]:
+	var corner := from().plus(ball.position.minus(foot()))
+	var half := Vec2.new(ball.radius / 2.0, ball.radius / 2.0)
+	return [
+		line.start,
+		line.end,
+		from(),
+		corner,
+		ball.position.minus(half),
+		ball.position.plus(half),
+	]
+
+
 ## Slides the start of the difference vector to the point of the line nearest to [param point].
 func slide_to(point: Vec2) -> void:
 	from_share = line.share_of(point)
 
 
-## Moves the line's ends. "" if that can be; else a sentence, and the line stays.
+## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with
+## the value and what is allowed, and nothing changes.
+func enter(name_in_line: String, value: float) -> String:
+	var start := line.start.copy()
+	var end := line.end.copy()
+	match name_in_line:
+		"sx":
+			start.x = value
+		"sy":
+			start.y = value
+		"ex":
+			end.x = value
+		"ey":
+			end.y = value
+		"cx":
+			ball.position.x = value
+		"cy":
+			ball.position.y = value
+		"share":
+			from_share = value
+		"r":
+			return resize_ball(value)
+	return move_line(start, end)
+
+
+## Moves the line's ends. "" if it could be moved; else a sentence, and the line stays.
 func move_line(start: Vec2, end: Vec2) -> String:
 	var moved := LineSegment.new(start, end)
 	var problem := moved.problem()
@@ -98,7 +138,7 @@ func move_line(start: Vec2, end: Vec2) -> String:
 	return problem
 
 
-## Changes the radius. "" if that can be; else a sentence, and the radius stays.
+## Changes the radius. "" if it could be changed; else a sentence, and the radius stays.
 func resize_ball(radius: float) -> String:
 	var resized := Ball.new(ball.position, radius)
 	var problem := resized.problem()
@@ -107,7 +147,6 @@ func resize_ball(radius: float) -> String:
 	return problem
 
 
-## All of it, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
 		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
@@ -117,9 +156,7 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+func problem_in(stored: Dictionary) -> String:
 	var model := LineDistanceModel.new()
 	model.from_dictionary(stored)
 	return (
@@ -134,7 +171,6 @@ static func problem_of(stored: Dictionary) -> String:
 	)
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var ends: PackedFloat64Array = stored["line"]
 	var centre_and_radius: PackedFloat64Array = stored["ball"]

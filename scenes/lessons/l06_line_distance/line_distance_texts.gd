@@ -1,7 +1,6 @@
 class_name LineDistanceTexts
 extends RefCounted
-## The sentences and formula lines of the lesson on the distance from a line, step by step, and its
-## verdict.
+## The sentences and the verdict of the lesson on the distance from a line.
 
 
 ## One sentence a step, translated.
@@ -13,19 +12,6 @@ static func sentences(model: LineDistanceModel) -> PackedStringArray:
 		_translate("Less the radius: the gap. Below 0 is too close, or behind the line."),
 		_beside_end(model),
 	]
-
-
-## The formula lines of all steps up to [param step], counted from 0.
-static func lines(model: LineDistanceModel, step: int) -> PackedStringArray:
-	var found: PackedStringArray = []
-	var groups := _lines()
-	# What a mistake computes stands where else the gap would.
-	var last := step if model.mistake == 0 else mini(step, 2)
-	for i in last + 1:
-		found.append_array(groups[i])
-	if model.mistake != 0:
-		found.append(_wrong_lines()[model.mistake])
-	return found
 
 
 ## The word above the ball, translated.
@@ -65,28 +51,6 @@ static func _beside_end(model: LineDistanceModel) -> String:
 	if model.is_beside_end():
 		return _translate("Beside the end both distances differ: the endless line is nearer.")
 	return _translate("Here both distances agree. Drag the ball past an end of the line.")
-
-
-static func _lines() -> Array[PackedStringArray]:
-	return [
-		[
-			_translate("{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )"),
-			_translate("{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}"),
-			"{d} = {c} − {p} = {d_pair}"
-		],
-		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
-		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
-		["gap = {d} · {n} − r = {gap}"],
-		[_translate("to the segment: |{c} − {nearest}| = {segment}")],
-	]
-
-
-static func _wrong_lines() -> Dictionary[int, String]:
-	return {
-		LineDistanceMistakes.NOT_UNIT: "{wrong}: {d} · ( −({ly}), {lx} ) = {wrong_distance}",
-		LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
-		LineDistanceMistakes.STRAIGHT_UP: "{wrong}: straight up {wrong_distance}",
-	}
 
 
 static func _translate(sentence: String) -> String:

@@ -1,10 +1,15 @@
 class_name PointOfImpactDrawing
 extends Node2D
 ## The drawing of the lesson on the point of impact: one frame's motion, the position reset, a and b
-## along the normal, the point of impact, and what the mistake that is switched on makes of it.
+## along the normal, the point of impact, what the mistake that is switched on makes of it, and the
+## verdict.
 
-## Where along the line its normal is drawn.
+# Where along the line its normal is drawn.
 const _SHARE_OF_NORMAL := 0.12
+# What the old position is called (source text).
+const _OLD := "old"
+# A ball that overlaps from the start touches where it is (source text).
+const _OLD_IS_IMPACT := "old = POI"
 
 @onready var _endless: InfiniteLine = %Endless
 @onready var _line: DraggableVector = %Line
@@ -23,18 +28,24 @@ const _SHARE_OF_NORMAL := 0.12
 @onready var _b: DimensionLine = %B
 @onready var _level: Arrow = %Level
 @onready var _wrong: BallView = %Wrong
-@onready var _labels: PointOfImpactLabels = %Labels
+@onready var _old_name: BallName = %OldName
+@onready var _new_name: BallName = %NewName
+@onready var _motion_name: BallName = %MotionName
+@onready var _reset_name: BallName = %ResetName
+@onready var _impact_name: BallName = %ImpactName
+@onready var _wrong_name: BallName = %WrongName
+@onready var _verdict: VerdictCard = %Verdict
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
 func show_model(model: PointOfImpactModel, step: int) -> void:
-	_labels.clear()
 	_lay_line(model, step)
 	_lay_frame(model)
 	_lay_reset(model, step)
 	_lay_ways(model, step)
 	_lay_impact(model, step)
 	_lay_mistake(model)
+	_show_verdict(model)
 
 
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
@@ -57,28 +68,20 @@ func _lay_frame(model: PointOfImpactModel) -> void:
 	_new.lay(model.new_position, model.radius)
 	_old_handle.place_ball(model.old_position, model.radius)
 	_new_handle.place_ball(model.new_position, model.radius)
-	var ahead := _names_ahead(model)
-	var behind := ahead.negated()
-	_labels.add_name(
-		_name_of_old(model), Palette.Role.INK, model.old_position, behind, model.radius
-	)
-	_labels.add_name(tr("new"), Palette.Role.INK, model.new_position, ahead, model.radius)
+	var ahead := _side_of_new_name(model)
+	var touches_at_once := model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START
+	_old_name.label = _OLD_IS_IMPACT if touches_at_once else _OLD
+	_old_name.lay(model.old_position, model.radius, ahead.negated())
+	_new_name.lay(model.new_position, model.radius, ahead)
 	_name_motion(model)
 
 
-# To where the name of the new position stands: along the motion, or behind the line where the
-# motion runs along it.
-func _names_ahead(model: PointOfImpactModel) -> Vec2:
+# The name of the new position is ahead of it, or behind the line where the motion runs along it.
+func _side_of_new_name(model: PointOfImpactModel) -> Vec2:
 	var motion := model.motion()
 	if absf(model.way_of_frame()) > 0.5 * motion.length():
 		return motion
 	return model.line.normal().negated()
-
-
-# A ball that overlaps from the start touches where it is.
-func _name_of_old(model: PointOfImpactModel) -> String:
-	var touches_at_once := model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START
-	return tr("old = POI") if touches_at_once else tr("old")
 
 
 # Beside the half of the path in which the point of impact is not.
@@ -90,7 +93,7 @@ func _name_motion(model: PointOfImpactModel) -> void:
 	if beside.dot(_sideways(model)) > 0.0:
 		beside = beside.negated()
 	var place := model.old_position.lerped(model.new_position, share)
-	_labels.add_name("v", Palette.Role.INK, place, beside, 0.0)
+	_motion_name.lay(place, 0.0, beside)
 
 
 func _lay_reset(model: PointOfImpactModel, step: int) -> void:
@@ -99,8 +102,8 @@ func _lay_reset(model: PointOfImpactModel, step: int) -> void:
 	_reset_way.lay(model.new_position, place)
 	_reset.visible = step >= 1 and model.is_reset() and model.mistake == 0
 	_reset_way.visible = _reset.visible
-	if _reset.visible:
-		_labels.add_name(tr("reset"), Palette.Role.REST, place, _sideways(model), model.radius)
+	_reset_name.lay(place, model.radius, _sideways(model))
+	_reset_name.visible = _reset.visible
 
 
 func _lay_ways(model: PointOfImpactModel, step: int) -> void:
@@ -126,13 +129,12 @@ func _lay_impact(model: PointOfImpactModel, step: int) -> void:
 	_impact.visible = step >= 4 and impact.hit
 	var is_on_the_way := model.frame_case() == PointOfImpactModel.Case.IN_FRAME
 	_off.visible = _impact.visible and _reset.visible and is_on_the_way
+	_impact_name.visible = _impact.visible and is_on_the_way
 	if not _impact.visible:
 		return
 	var place := impact.position
 	_impact.lay(place, model.radius)
-	if is_on_the_way:
-		var side := _sideways(model).negated()
-		_labels.add_name(tr("POI"), Palette.Role.PROJECTION, place, side, model.radius)
+	_impact_name.lay(place, model.radius, _sideways(model).negated())
 	var off := place.distance_to(model.reset_position())
 	_off.label = tr("%s px off") % NumberText.short(off, 3)
 	_off.offset = model.radius * _endless.board.pixels_per_unit + 10.0
@@ -142,9 +144,25 @@ func _lay_impact(model: PointOfImpactModel, step: int) -> void:
 func _lay_mistake(model: PointOfImpactModel) -> void:
 	var place := model.position_with_mistake()
 	_wrong.visible = model.mistake != 0 and place.is_finite()
+	_wrong_name.visible = _wrong.visible
 	if _wrong.visible:
 		_wrong.lay(place, model.radius)
-		_labels.add_name(tr("wrong"), Palette.Role.WRONG, place, _sideways(model), model.radius)
+		_wrong_name.lay(place, model.radius, _sideways(model))
+
+
+# The card gives way to both positions of the ball.
+func _show_verdict(model: PointOfImpactModel) -> void:
+	var hits := model.impact().hit
+	_verdict.show_verdict(
+		"!" if hits else "×",
+		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,
+		PointOfImpactTexts.verdict(model)
+	)
+	var board := _endless.board
+	var places: PackedVector2Array = [
+		board.to_screen(model.old_position), board.to_screen(model.new_position)
+	]
+	_verdict.keep_off(places, model.radius * board.pixels_per_unit)
 
 
 # The direction along the line in which the ball moves.

@@ -53,6 +53,16 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExerci
 	return new(kind, old_distance, old_distance - way, its_radius, sideways)
 
 
+## The frame of the question.
+func board_state() -> Dictionary:
+	return {
+		"old": _components(old_position),
+		"new": _components(new_position),
+		"radius": radius,
+		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
+	}
+
+
 func _ask_fraction() -> void:
 	var sentence := tr("In one frame the distance goes from %s to %s; the radius is %s. What is t?")
 	prompt = sentence % [_short(_old_distance), _short(_new_distance), _short(radius)]

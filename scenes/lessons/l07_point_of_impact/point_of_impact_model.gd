@@ -1,10 +1,13 @@
 class_name PointOfImpactModel
-extends RefCounted
+extends LessonModel
 ## One frame of a ball's motion towards a line without ends: where it touches, and where a position
 ## reset puts it.
 
 ## What the two distances say of the frame.
 enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALLEL }
+
+# A wrong fraction of the frame larger than this does not make the board smaller.
+const _LARGEST_SHOWN_FRACTION := 20.0
 
 ## The line; its ends only say where it is drawn.
 var line := LineSegment.new(Vec2.new(60.0, 45.0), Vec2.new(-60.0, -45.0))
@@ -98,8 +101,50 @@ func shows_mistake() -> bool:
 	return fraction_with_mistake() != fraction() or frame_case() != Case.IN_FRAME
 
 
-## Makes the frame's motion this long and keeps old position and direction. "" if that can be; else
-## a sentence, and the motion stays.
+## The points that the board has to show: the ends of the line, both balls as far as half their
+## radius, and the ball of a mistake that is not too far away.
+func points_to_show() -> Array[Vec2]:
+	var half := Vec2.new(radius / 2.0, radius / 2.0)
+	var points: Array[Vec2] = [line.start, line.end]
+	for centre: Vec2 in [old_position, new_position]:
+		points.append(centre.plus(half))
+		points.append(centre.minus(half))
+	if mistake != 0 and absf(fraction_with_mistake()) < _LARGEST_SHOWN_FRACTION:
+		points.append(position_with_mistake())
+	return points
+
+
+## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with
+## the value and what is allowed, and nothing changes.
+func enter(name_in_line: String, value: float) -> String:
+	var start := line.start.copy()
+	var end := line.end.copy()
+	match name_in_line:
+		"old_x":
+			old_position.x = value
+		"old_y":
+			old_position.y = value
+		"new_x":
+			new_position.x = value
+		"new_y":
+			new_position.y = value
+		"sx":
+			start.x = value
+		"sy":
+			start.y = value
+		"ex":
+			end.x = value
+		"ey":
+			end.y = value
+		"r":
+			return set_radius(value)
+		"speed":
+			return set_speed(value)
+	return move_line(start, end)
+
+
+## Makes the frame's motion this long and keeps old position and direction. "" if it could be made
+## so; else a sentence, and the motion stays.
 func set_speed(pixels: float) -> String:
 	if not (pixels > 0.0 and is_finite(pixels)):
 		var sentence := "The speed must be above 0 and finite, not %s."
@@ -110,7 +155,7 @@ func set_speed(pixels: float) -> String:
 	return ""
 
 
-## Moves the line's ends. "" if that can be; else a sentence, and the line stays.
+## Moves the line's ends. "" if they could be moved; else a sentence, and the line stays.
 func move_line(start: Vec2, end: Vec2) -> String:
 	var moved := LineSegment.new(start, end)
 	var problem := moved.problem()
@@ -119,7 +164,7 @@ func move_line(start: Vec2, end: Vec2) -> String:
 	return problem
 
 
-## Changes the radius. "" if that can be; else a sentence, and the radius stays.
+## Changes the radius. "" if it could be changed; else a sentence, and the radius stays.
 func set_radius(pixels: float) -> String:
 	var problem := Ball.new(old_position, pixels).problem()
 	if problem == "":
@@ -127,7 +172,6 @@ func set_radius(pixels: float) -> String:
 	return problem
 
 
-## All of it, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
 		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
@@ -138,9 +182,7 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+func problem_in(stored: Dictionary) -> String:
 	var model := PointOfImpactModel.new()
 	model.from_dictionary(stored)
 	return (
@@ -155,7 +197,6 @@ static func problem_of(stored: Dictionary) -> String:
 	)
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var ends: PackedFloat64Array = stored["line"]
 	var old: PackedFloat64Array = stored["old"]

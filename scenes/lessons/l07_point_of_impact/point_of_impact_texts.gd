@@ -1,7 +1,6 @@
 class_name PointOfImpactTexts
 extends RefCounted
-## The sentences and formula lines of the lesson on the point of impact, step by step, and its
-## verdict.
+## The sentences and the verdict of the lesson on the point of impact.
 
 
 ## One sentence a step, translated.
@@ -13,24 +12,6 @@ static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 		_translate("t = a / b is the share of the frame until the contact. It must be in 0..1."),
 		_last_sentence(model),
 	]
-
-
-## The formula lines of all steps up to [param step], counted from 0.
-static func lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
-	var found: PackedStringArray = [
-		"old ( {old_x} , {old_y} )     new ( {new_x} , {new_y} )",
-		_translate("l: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}"),
-	]
-	if model.mistake != 0:
-		# What a mistake computes stands beside t, where else motion, reset and POI would be.
-		found.append(_ways_line())
-		found.append("t = {t}     {wrong}: " + _wrong_terms()[model.mistake])
-		return found
-	found.append("v = new − old = {v_pair}     |v| = {speed}")
-	var later := _later_lines()
-	for i in step:
-		found.append(later[i])
-	return found
 
 
 ## What was found, in two or three lines, translated.
@@ -77,31 +58,6 @@ static func _last_sentence(model: PointOfImpactModel) -> String:
 	if model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START:
 		return _translate("It overlaps before it moves: the frame begins with the contact.")
 	return _translate("No impact in this frame: the ball may go to new.")
-
-
-static func _later_lines() -> PackedStringArray:
-	return [
-		"{reset} = new + ({r_value} − {new_distance}) {n} = {reset_pair}",
-		_ways_line(),
-		"t = {a_symbol} / {b_symbol} = {a} / {b} = {t}",
-		"{poi} = old + t v = {poi_pair}",
-	]
-
-
-static func _ways_line() -> String:
-	return (
-		"{a_symbol} = {old_distance} − {r_value} = {a}     "
-		+ "{b_symbol} = {old_distance} − {new_distance} = {b}"
-	)
-
-
-static func _wrong_terms() -> Dictionary[int, String]:
-	return {
-		PointOfImpactMistakes.OVER_NEW: "a / new = {wrong_t}",
-		PointOfImpactMistakes.UNSIGNED: "a / (old − |new|) = {wrong_t}",
-		PointOfImpactMistakes.NOT_LIMITED: "any t, even {wrong_t}",
-		PointOfImpactMistakes.FROM_NEW: "(new − r) / b = {wrong_t}",
-	}
 
 
 static func _translate(sentence: String) -> String:

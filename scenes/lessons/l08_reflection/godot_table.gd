@@ -2,17 +2,12 @@ class_name GodotTable
 extends PanelContainer
 ## Godot's own methods beside ours: which call is which, what it answers, and how far the 32 bits of
 ## Vector2 are from the exact answer.
+##
+## The cells are labels in the scene, row by row; here the last two of each row are filled.
 
 const _COLUMNS := 4
 
 @onready var _cells: GridContainer = %Cells
-
-
-func _ready() -> void:
-	_add_row([tr("Vector2"), tr("is our"), tr("value"), tr("error")], &"LabelQuiet")
-	_add_row(["bounce(n)", "reflect(n, 1)", "", ""])
-	_add_row(["slide(n)", "reflect(n, 0)", "", ""])
-	_add_row(["reflect(n)", "−reflect(n, 1)", "", ""])
 
 
 ## Shows what the three answer for the velocity and the normal of [param model]. They are not asked
@@ -30,7 +25,7 @@ func show_model(model: ReflectionModel) -> void:
 
 
 func _show_answer(row: int, answer: Vector2, model: ReflectionModel, times: float) -> void:
-	# Godot's reflect gives minus what ours gives.
+	# Godot's reflect answers the negative of ours.
 	var compared := Vec2.from_vector2(-answer if row == 3 else answer)
 	var error := ExactReflection.error_of(compared, model.velocity, model.along, times)
 	_show(row, NumberText.pair(answer.x, answer.y), NumberText.size(error))
@@ -39,12 +34,3 @@ func _show_answer(row: int, answer: Vector2, model: ReflectionModel, times: floa
 func _show(row: int, value: String, error: String) -> void:
 	(_cells.get_child(row * _COLUMNS + 2) as Label).text = value
 	(_cells.get_child(row * _COLUMNS + 3) as Label).text = error
-
-
-func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:
-	for text in texts:
-		var label := Label.new()
-		label.text = text
-		label.theme_type_variation = variation
-		label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
-		_cells.add_child(label)

@@ -1,116 +1,74 @@
 extends Lesson
 ## The lesson on the law of reflection and the bounciness: subtract the part along the normal.
+## Velocity, line and bounciness at the start are in the scene: the handles there show them.
 
-## Ready-made situations by their titles (source text): x and y of v, x and y of the line, C.
-const _PRESETS: Dictionary[String, Array] = {
-	"Lecture": [3.0, 4.0, -7.0, 0.0, 1.0],
-	"C = 0.5": [3.0, 4.0, -7.0, 0.0, 0.5],
-	"Angled": [0.0, 5.0, -8.0, -6.0, 1.0],
-	"Head on": [0.0, 5.0, -7.0, 0.0, 0.8],
-	"Along": [4.0, 0.0, -7.0, 0.0, 1.0],
+## Presets by their titles (source text): what each changes in the model's state.
+const _PRESETS: Dictionary[String, Dictionary] = {
+	"Lecture": {velocity = [3, 4], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
+	"C = 0.5": {velocity = [3, 4], along = [-7, 0], bounciness = 0.5, has_unit_normal = true},
+	"Angled": {velocity = [0, 5], along = [-8, -6], bounciness = 1.0, has_unit_normal = true},
+	"Head on": {velocity = [0, 5], along = [-7, 0], bounciness = 0.8, has_unit_normal = true},
+	"Along": {velocity = [4, 0], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
 }
 
+## The length of the normal where its switch is off: one of length 1 is taken by default.
+@export_range(0.001, 100.0, 0.001, "or_greater") var normal_length := 2.0
+
 var _model := ReflectionModel.new()
-var _step := ReflectionModel.Step.BOUNCE
-var _rng := RandomNumberGenerator.new()
-var _exercise: ReflectionExercise
-var _exercise_kind := ReflectionExercise.Kind.MIRROR
-
-var _steps: Steps
 var _formula: ReflectionFormula
-var _readout: Readout
-var _options: LessonOptions
-var _transport: Transport
-var _mistakes: Mistakes
-var _question: Question
 
+@onready var _steps: Steps = services.get(&"steps")
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: ReflectionDrawing = %Drawing
-@onready var _verdict: VerdictCard = %Verdict
-@onready var _table: GodotTable = %Table
+@onready var _velocity_head: Handle = %VelocityHead
+@onready var _line_end: Handle = %LineEnd
+@onready var _leaving_head: Handle = %LeavingHead
 
 
 func start() -> void:
-	_bring_services()
-	_connect_board()
-	_connect_formula()
-	_fill_options()
-	_ask()
-	resized.connect(_show_all)
-	_show_all()
+	_aim(_velocity_head.at())
+	_model.along = _line_end.at()
+	_model.aim_bounciness(_leaving_head.at())
+	_model.normal_length = normal_length
+	_on_drag(_velocity_head, _aim)
+	_on_drag(%Start as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
+	_on_drag(_line_end, _turn_line)
+	_on_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
+	_on_drag(%NormalHead as Handle, _drag_normal)
+	_on_drag(_leaving_head, _drag_leaving)
+	_fill_panel()
+	begin(_model, _show, _spanned_points)
 
 
-func state() -> Dictionary:
-	return _model.to_dictionary()
+func _on_drag(handle: Handle, change: Callable) -> void:
+	on_drag(handle.moved, handle.released, change)
 
 
-func show_state(stored: Dictionary) -> void:
-	_model.from_dictionary(stored)
-	_show_all()
-	noticed.emit(_model.refusal())
-
-
-func link_problem(linked: Dictionary) -> String:
-	return ReflectionModel.problem_of(linked)
-
-
-func _bring_services() -> void:
-	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as LessonOptions
-	_transport = services[&"transport"] as Transport
-	_mistakes = services[&"mistakes"] as Mistakes
-	_question = services[&"question"] as Question
-	_steps.step_changed.connect(_go_to_step)
-	_transport.advanced.connect(_run)
-	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise.unbind(1))
-
-
-func _connect_board() -> void:
-	_connect_handle(
-		%Start as Handle, func(at: Vec2) -> void: _model.velocity = Vec2.new().minus(at)
-	)
-	_connect_handle(%VelocityHead as Handle, func(at: Vec2) -> void: _model.velocity = at.copy())
-	_connect_handle(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
-	_connect_handle(%LineEnd as Handle, _turn_line)
-	_connect_handle(%NormalHead as Handle, _drag_normal)
-	_connect_handle(%LeavingHead as Handle, _drag_leaving)
-
-
-func _connect_handle(handle: Handle, change: Callable) -> void:
-	handle.moved.connect(_move.bind(change))
-	handle.released.connect(_finish)
-
-
-func _connect_formula() -> void:
-	var panel := services[&"formula"] as Formula
-	_formula = ReflectionFormula.new(panel)
-	panel.number_entered.connect(_enter_number)
-
-
-func _fill_options() -> void:
-	_options.add_switch("has_unit_normal", tr("Normal of length 1"))
-	_options.switched.connect(_switch)
-	for title: String in _PRESETS:
-		_options.add_preset(title, tr(title))
-	_options.preset_picked.connect(_set_up)
-	for info in ReflectionMistakes.infos():
-		_mistakes.add_mistake(info)
-	_mistakes.mistake_picked.connect(_pick_mistake)
+func _fill_panel() -> void:
+	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("has_unit_normal", tr("Normal of length 1"))
+	options.offer_presets(_PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
+	var kinds := ReflectionExercise.Kind.size()
+	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
+	on_edit((services[&"formula"] as Formula).number_entered, _enter)
+	on_pick(_take)
+	# While the ball flies, nothing else has to be shown anew.
+	_transport.advanced.connect(_fly)
 
 
 # What the student does.
 
 
-func _move(at: Vec2, change: Callable) -> void:
-	_transport.is_playing = false
-	change.call(at)
-	_show_model()
+func _aim(head: Vec2) -> void:
+	_model.velocity = head.copy()
 
 
-func _turn_line(head: Vec2) -> void:
-	if head.length() > 0.0:
-		_model.along = head.copy()
+func _turn_line(end: Vec2) -> void:
+	if end.length() > 0.0:
+		_model.along = end.copy()
 
 
 func _drag_normal(head: Vec2) -> void:
@@ -124,117 +82,68 @@ func _drag_leaving(head: Vec2) -> void:
 	_model.aim_bounciness(head)
 
 
-func _enter_number(name_in_line: String, value: float) -> void:
+# A number that was taken may still have left a normal that reflect refuses: that is said, too.
+func _enter(name_in_line: String, value: float) -> String:
 	var problem := _model.enter(name_in_line, value)
-	_show_all()
-	if problem:
-		noticed.emit(problem)
-	else:
-		_finish()
+	return problem if problem else _model.refusal()
 
 
-func _switch(key: String, on: bool) -> void:
-	_model.set(key, on)
-	_finish()
-
-
-func _set_up(preset: String) -> void:
-	var numbers: PackedFloat64Array = _PRESETS[preset]
-	var velocity := Vec2.new(numbers[0], numbers[1])
-	_take(velocity, Vec2.new(numbers[2], numbers[3]), numbers[4])
-
-
-func _pick_mistake(number: int) -> void:
-	_model.mistake = number
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
 	# With C = 1 the bounciness does nothing, on whichever part it acts.
-	if number == ReflectionMistakes.BOUNCY_TANGENT and _model.bounciness == 1.0:
+	if changes.get("mistake") == ReflectionMistakes.BOUNCY_TANGENT and _model.bounciness == 1.0:
 		_model.bounciness = 0.5
-	_finish()
+	return problem if problem else _model.refusal()
 
 
-func _show_exercise() -> void:
-	_take(_exercise.velocity, _exercise.along, _exercise.bounciness)
-
-
-func _take(velocity: Vec2, along: Vec2, bounciness: float) -> void:
-	_model.velocity = velocity.copy()
-	_model.along = along.copy()
-	_model.bounciness = bounciness
-	_model.has_unit_normal = true
-	_finish()
-
-
-func _ask() -> void:
-	_exercise = ReflectionExercise.fresh(_exercise_kind, _rng)
-	_exercise_kind = (
-		(_exercise_kind + 1) % ReflectionExercise.Kind.size() as ReflectionExercise.Kind
-	)
-	_question.show_exercise(_exercise)
-
-
-func _go_to_step(step: int) -> void:
-	_step = step as ReflectionModel.Step
-	_show_all()
-
-
-func _run(seconds: float) -> void:
+func _fly(seconds: float) -> void:
 	if _transport.is_playing and _model.time == ReflectionModel.END:
 		_model.time = ReflectionModel.START
 	_model.time += seconds
 	if _model.time == ReflectionModel.END:
 		_transport.is_playing = false
-	_drawing.show_ball(_model, _step)
+	_drawing.show_ball(_model, _step())
 
 
-func _finish() -> void:
-	_show_all()
-	edited.emit()
+# What the student sees. A refusal stays in the notice line as long as it holds.
+
+
+func finish() -> void:
+	super()
 	noticed.emit(_model.refusal())
 
 
-# What the student sees.
+func show_state(stored: Dictionary) -> void:
+	super(stored)
+	noticed.emit(_model.refusal())
 
 
-func _show_all() -> void:
+func _spanned_points() -> Array[Vec2]:
 	var points: Array[Vec2] = [_model.along]
 	for point: Vec2 in [_model.velocity, _model.velocity_after(2.0)]:
-		# Twice as much room below: the table of Godot's methods stands there.
+		# Room below for the table of Godot's methods.
 		points.append(Vec2.new(point.x, 1.75 * point.y))
-	board.fit(points)
-	_options.show_switch("has_unit_normal", _model.has_unit_normal)
-	_mistakes.show_mistake(_model.mistake)
-	_show_model()
+	return points
 
 
-func _show_model() -> void:
-	_steps.show_sentences(ReflectionTexts.sentences(_model), _step)
-	_drawing.show_model(_model, _step)
-	_formula.show_model(_model, _step)
-	_table.show_model(_model)
-	_show_verdict()
-	_show_readout()
+func _show() -> void:
+	_steps.tell(ReflectionTexts.sentences(_model))
+	_drawing.show_model(_model, _step())
+	_formula.show_model(_model, _step())
+	_show_call()
 
 
-func _show_verdict() -> void:
-	# The notice says it, in the same place.
-	_verdict.visible = _model.refusal() == ""
-	var sign_text := ReflectionTexts.verdict_sign(_model, _step)
-	var role := Palette.Role.QUIET
-	if sign_text == "=":
-		role = Palette.Role.RIGHT
-	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(_model, _step))
+func _step() -> ReflectionModel.Step:
+	return _steps.step as ReflectionModel.Step
 
 
-func _show_readout() -> void:
+func _show_call() -> void:
 	var title := "reflect(n, C)"
 	if _model.refusal():
 		_readout.show_texts("reflect", [title, tr("refused"), "", ""])
 		return
+	var times := 1.0 + _model.bounciness
 	var result := _model.reflected()
-	var error := ExactReflection.error_of(
-		result, _model.velocity, _model.along, 1.0 + _model.bounciness
-	)
-	var way := _model.velocity.reflected.bind(_model.used_normal(), _model.bounciness)
-	var time := tr("%s ns") % NumberText.short(CallTimer.nanoseconds(way), 2)
-	var value := NumberText.pair(result.x, result.y)
-	_readout.show_texts("reflect", [title, value, NumberText.size(error), time])
+	var error := ExactReflection.error_of(result, _model.velocity, _model.along, times)
+	var method := _model.velocity.reflected.bind(_model.used_normal(), _model.bounciness)
+	_readout.show_vector("reflect", title, result, error, CallTimer.nanoseconds(method))

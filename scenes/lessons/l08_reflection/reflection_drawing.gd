@@ -1,6 +1,7 @@
 class_name ReflectionDrawing
 extends Node2D
-## The drawing of the lesson on reflection: the velocity before and after, and what is subtracted.
+## The drawing of the lesson on reflection: the velocity before and after, what is subtracted,
+## Godot's own methods beside it, and the verdict.
 
 ## Pixels that the ball is drawn wide, at every scale.
 const _BALL_PIXELS := 16.0
@@ -22,6 +23,8 @@ const _BALL_PIXELS := 16.0
 @onready var _angle_out: AngleArc = %AngleOut
 @onready var _ball: BallView = %Ball
 @onready var _wrong_ball: BallView = %WrongBall
+@onready var _table: GodotTable = %Table
+@onready var _verdict: VerdictCard = %Verdict
 
 
 ## Draws [param model] as far as [param step] has got.
@@ -34,6 +37,8 @@ func show_model(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_lay_handles(model, step)
 	_lay_wrong(model)
 	show_ball(model, step)
+	_table.show_model(model)
+	_show_verdict(model, step)
 
 
 ## Shows the ball where it is now.
@@ -43,7 +48,7 @@ func show_ball(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_ball.lay(model.ball_centre(radius, leaving), radius)
 	# Up to the line both balls are one.
 	_wrong_ball.visible = model.mistake > 0 and model.time > 0.0
-	_wrong_ball.lay(ReflectionMistakes.ball_centre(model, radius), radius)
+	_wrong_ball.lay(model.ball_centre_with_mistake(radius), radius)
 
 
 func _lay_line(model: ReflectionModel) -> void:
@@ -95,7 +100,7 @@ func _lay_wrong(model: ReflectionModel) -> void:
 	var is_into_table := model.mistake == ReflectionMistakes.NORMAL_OF_NORMAL
 	_wrong.label_place = Arrow.LabelPlace.MIDDLE if is_into_table else Arrow.LabelPlace.HEAD
 	_wrong.keep_label_from(model.velocity)
-	_wrong.lay(Vec2.new(), ReflectionMistakes.velocity_after(model))
+	_wrong.lay(Vec2.new(), model.velocity_with_mistake())
 	_wrong.visible = model.mistake > 0
 	# Reflected again, the wrong arrow ends where these have their names.
 	var is_crowded := model.mistake == ReflectionMistakes.REFLECTED_AGAIN
@@ -121,3 +126,11 @@ func _lay_handles(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	var leaving := model.velocity_after(model.times_subtracted(step))
 	(%LeavingHead as Handle).place(leaving)
 	(%LeavingHead as Handle).visible = _leaving.visible
+
+
+# Where the normal is refused, the notice line says so in the same place.
+func _show_verdict(model: ReflectionModel, step: ReflectionModel.Step) -> void:
+	_verdict.visible = model.refusal() == ""
+	var sign_text := ReflectionTexts.verdict_sign(model, step)
+	var role := Palette.Role.RIGHT if sign_text == "=" else Palette.Role.QUIET
+	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(model, step))

@@ -13,7 +13,7 @@ const _LINES: Array[Vector2i] = [
 	Vector2i(1, 0), Vector2i(0, 1), Vector2i(3, 4), Vector2i(4, 3), Vector2i(3, -4), Vector2i(4, -3)
 ]
 
-## So often the line is the part of the velocity along it.
+## The part of the velocity along the line is one of these times the line.
 const _STRETCHES: Array[int] = [1, -1, 3]
 
 ## The velocity with which the ball comes.
@@ -48,6 +48,16 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ReflectionExercise:
 	var coming := line.scaled(_STRETCHES[rng.randi_range(0, _STRETCHES.size() - 1)])
 	coming.add(across.scaled(-2 if kind != Kind.AWAY else 2))
 	return new(kind, coming, line, 0.5 if kind == Kind.BOUNCE else 1.0)
+
+
+## The ball and the line of the question, with a normal of length 1.
+func board_state() -> Dictionary:
+	return {
+		"velocity": PackedFloat64Array([velocity.x, velocity.y]),
+		"along": PackedFloat64Array([along.x, along.y]),
+		"bounciness": bounciness,
+		"has_unit_normal": true,
+	}
 
 
 func _ask_bounce() -> void:

@@ -1,54 +1,72 @@
 class_name ReflectionFormula
 extends RefCounted
-## Puts the numbers of the lesson on reflection into its formula lines.
+## The formula of the lesson on reflection: its lines, and what each name in them is.
 
 var _formula: Formula
 
 
-## Says to [param formula] what the names in [ReflectionTexts] stand for.
+## Writes into [param formula].
 func _init(formula: Formula) -> void:
 	_formula = formula
-	_formula.define_symbol("v", "v", Palette.Role.A)
-	_formula.define_symbol("n", "n", Palette.Role.UNIT)
-	_formula.define_number("vx", Palette.Role.A, tr("x of v"))
-	_formula.define_number("vy", Palette.Role.A, tr("y of v"))
-	_formula.define_number("lx", Palette.Role.INK, tr("x of the line"))
-	_formula.define_number("ly", Palette.Role.INK, tr("y of the line"))
-	_formula.define_number("C", Palette.Role.B, tr("bounciness C, 0 to 1"))
-	_formula.define_number("n_length", Palette.Role.UNIT, tr("length of n"))
-	for name_in_line: String in ["v_x", "v_y", "v_pair"]:
-		_formula.define_number(name_in_line, Palette.Role.A)
-	for name_in_line: String in ["n_x", "n_y", "n_pair"]:
-		_formula.define_number(name_in_line, Palette.Role.UNIT)
-	for name_in_line: String in ["mirror", "out"]:
-		_formula.define_number(name_in_line, Palette.Role.B)
-	_formula.define_number("dot", Palette.Role.INK)
-	_formula.define_number("part", Palette.Role.PROJECTION)
-	_formula.define_number("slide", Palette.Role.REST)
 
 
 ## Shows the lines of [param step] with the numbers of [param model].
 func show_model(model: ReflectionModel, step: ReflectionModel.Step) -> void:
-	_formula.show_lines(ReflectionTexts.lines(model, step))
 	_put_what_is_typed(model)
-	var normal := model.used_normal()
-	_formula.set_vector("v_pair", model.velocity)
-	_formula.set_number("v_x", model.velocity.x)
-	_formula.set_number("v_y", model.velocity.y)
-	_formula.set_vector("n_pair", normal)
-	_formula.set_number("n_x", normal.x)
-	_formula.set_number("n_y", normal.y)
-	_formula.set_text("dot", NumberText.short(model.velocity.dot(normal)))
-	_formula.set_vector("part", model.normal_part())
-	_formula.set_vector("slide", model.velocity_after(1.0))
-	_formula.set_vector("mirror", model.velocity_after(2.0))
-	_formula.set_vector("out", model.velocity_after(1.0 + model.bounciness))
+	_put_both_vectors(model.velocity, model.used_normal())
+	_put_results(model)
+	_formula.show_lines(_lines(model, step))
 
 
+func _lines(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
+	var found: PackedStringArray = [
+		"{v} = ( {vx} , {vy} )     %s = ( {lx} , {ly} )" % tr("line"), _normal_line(model)
+	]
+	if model.refusal():
+		found.append(tr("|{n}| is not 1: refused. {v} stays {v_pair}"))
+		return found
+	if step >= ReflectionModel.Step.SPLIT:
+		found.append("{v} · {n} = {v_x}·{n_x} + {v_y}·{n_y} = {dot}")
+		found.append("({v} · {n}) {n} = {part}")
+	if step >= ReflectionModel.Step.SLIDE:
+		found.append("{v} − ({v} · {n}) {n} = {v_pair} − {part} = {slide}")
+	if step == ReflectionModel.Step.MIRROR:
+		found.append("{v} − 2 ({v} · {n}) {n} = {mirror}")
+	if step == ReflectionModel.Step.BOUNCE:
+		found.append("{v} − (1 + C)({v} · {n}) {n} = {out}")
+	return found
+
+
+func _normal_line(model: ReflectionModel) -> String:
+	if model.has_unit_normal:
+		return "{n} = {n_pair}     C = {C}"
+	return "{n} = {n_pair}     |{n}| = {n_length}     C = {C}"
+
+
+# Each of these has its counterpart in ReflectionModel.enter.
 func _put_what_is_typed(model: ReflectionModel) -> void:
-	_formula.set_number("vx", model.velocity.x)
-	_formula.set_number("vy", model.velocity.y)
-	_formula.set_number("lx", model.along.x)
-	_formula.set_number("ly", model.along.y)
-	_formula.set_number("C", model.bounciness)
-	_formula.set_number("n_length", model.normal_length)
+	_formula.put_number("vx", model.velocity.x, Palette.Role.A, tr("x of v"))
+	_formula.put_number("vy", model.velocity.y, Palette.Role.A, tr("y of v"))
+	_formula.put_number("lx", model.along.x, Palette.Role.INK, tr("x of the line"))
+	_formula.put_number("ly", model.along.y, Palette.Role.INK, tr("y of the line"))
+	_formula.put_number("C", model.bounciness, Palette.Role.B, tr("bounciness C, 0 to 1"))
+	_formula.put_number("n_length", model.normal_length, Palette.Role.UNIT, tr("length of n"))
+
+
+func _put_both_vectors(velocity: Vec2, normal: Vec2) -> void:
+	_formula.put_symbol("v", "v", Palette.Role.A)
+	_formula.put_vector("v_pair", velocity, Palette.Role.A)
+	_formula.put_number("v_x", velocity.x, Palette.Role.A)
+	_formula.put_number("v_y", velocity.y, Palette.Role.A)
+	_formula.put_symbol("n", "n", Palette.Role.UNIT)
+	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
+	_formula.put_number("n_x", normal.x, Palette.Role.UNIT)
+	_formula.put_number("n_y", normal.y, Palette.Role.UNIT)
+	_formula.put_text("dot", NumberText.short(velocity.dot(normal)), Palette.Role.INK)
+
+
+func _put_results(model: ReflectionModel) -> void:
+	_formula.put_vector("part", model.normal_part(), Palette.Role.PROJECTION)
+	_formula.put_vector("slide", model.velocity_after(1.0), Palette.Role.REST)
+	_formula.put_vector("mirror", model.velocity_after(2.0), Palette.Role.B)
+	_formula.put_vector("out", model.velocity_after(1.0 + model.bounciness), Palette.Role.B)

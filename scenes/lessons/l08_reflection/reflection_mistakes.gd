@@ -2,15 +2,18 @@ class_name ReflectionMistakes
 extends RefCounted
 ## Four ways in which students get the reflection wrong, by their numbers in the course's list.
 ##
-## None of this is used outside the bug gallery; the right way is in `scripts/collision/bounce.gd`.
+## Only the bug gallery uses them; the right way is in `scripts/collision/bounce.gd`.
 
+## The normal is not of length 1.
 const NOT_UNIT := 11
+## The normal of the normal is taken.
 const NORMAL_OF_NORMAL := 12
+## The bounciness acts along the line.
 const BOUNCY_TANGENT := 13
+## A ball that moves away already is reflected again.
 const REFLECTED_AGAIN := 14
 
-## The course's frame, in seconds: how often the ball that is reflected again and again meets the
-## line.
+## The course's frame, in seconds. Once a frame, mistake 14 reflects the ball again.
 const FRAME_SECONDS := 1.0 / 60.0
 
 
@@ -30,42 +33,36 @@ static func bouncy_along_the_line(velocity: Vec2, normal: Vec2, bounciness: floa
 	return velocity.minus(part).scaled(bounciness).minus(part)
 
 
-## The wrong velocity that the mistake switched on in [param model] leads to.
-static func velocity_after(model: ReflectionModel) -> Vec2:
-	var velocity := model.velocity
-	var normal := model.unit_normal()
-	match model.mistake:
+## The wrong velocity to which the mistake with this number leads; the velocity as it was for 0.
+## [param normal] has length 1; mistake 11 takes one of [param normal_length] instead.
+static func velocity_after(
+	number: int, velocity: Vec2, normal: Vec2, normal_length: float, bounciness: float
+) -> Vec2:
+	match number:
 		NOT_UNIT:
-			var long_normal := normal.scaled(model.normal_length)
-			return with_normal_as_it_is(velocity, long_normal, model.bounciness)
+			return with_normal_as_it_is(velocity, normal.scaled(normal_length), bounciness)
 		NORMAL_OF_NORMAL:
-			return off_the_normal_of_the_normal(velocity, normal, model.bounciness)
+			return off_the_normal_of_the_normal(velocity, normal, bounciness)
 		BOUNCY_TANGENT:
-			return bouncy_along_the_line(velocity, normal, model.bounciness)
+			return bouncy_along_the_line(velocity, normal, bounciness)
 		REFLECTED_AGAIN:
-			var once := velocity.reflected(normal, model.bounciness)
-			return once.reflected(normal, model.bounciness)
+			return velocity.reflected(normal, bounciness).reflected(normal, bounciness)
 	return velocity.copy()
 
 
-## The centre of the wrong ball of [param radius] at the time of [param model].
-static func ball_centre(model: ReflectionModel, radius: float) -> Vec2:
-	if model.mistake == REFLECTED_AGAIN and model.time > 0.0:
-		return _sticking_centre(model, radius)
-	return model.ball_centre(radius, velocity_after(model))
-
-
-# Mistake 14: each frame finds the ball still at the line and reflects it once more.
-static func _sticking_centre(model: ReflectionModel, radius: float) -> Vec2:
-	var normal := model.unit_normal()
-	var centre := model.facing_normal().scaled(radius)
-	var leaving := model.velocity.copy()
-	var left := model.time
+## Mistake 14: how far the ball has come [param seconds] after it touched the line, where each frame
+## finds it still at the line and reflects it once more.
+static func way_reflected_again(
+	velocity: Vec2, normal: Vec2, bounciness: float, seconds: float
+) -> Vec2:
+	var way := Vec2.new()
+	var leaving := velocity.copy()
+	var left := seconds
 	while left > 0.0:
-		leaving.reflect(normal, model.bounciness)
-		centre.add(leaving.scaled(minf(left, FRAME_SECONDS)))
+		leaving.reflect(normal, bounciness)
+		way.add(leaving.scaled(minf(left, FRAME_SECONDS)))
 		left -= FRAME_SECONDS
-	return centre
+	return way
 
 
 ## What the bug gallery says of each, translated.

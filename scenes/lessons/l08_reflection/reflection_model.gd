@@ -1,19 +1,20 @@
 class_name ReflectionModel
-extends RefCounted
+extends LessonModel
 ## A ball that meets a line at the origin, and what becomes of its velocity.
 ##
 ## Velocities in units per second. The line goes through the origin, from minus [member along] to
 ## plus along; the ball touches it there at time 0.
 
-## How the drawing is built up. Each step says how often the part along the normal is subtracted.
+## How the drawing is built up. Each step says how many times the part along the normal is
+## subtracted.
 enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
 
-## The ball is seen from so many seconds before it touches the line.
+## The flight begins this many seconds before the ball touches the line; the time is then negative.
 const START := -1.2
-## The ball is seen until so many seconds after that.
+## The flight ends this many seconds after the ball has touched the line.
 const END := 1.6
-## No number is larger than this: the 32 bits of Godot's own Vector2, which stands beside, hold its
-## square.
+## No number is larger than this: its square still fits into the 32 bits of Godot's Vector2, which
+## is shown beside ours.
 const LARGEST := 1e18
 ## How far from 1 the length of a normal may be: as in [method Vec2.reflect].
 const NORMAL_TOLERANCE := 1e-9
@@ -30,7 +31,7 @@ var has_unit_normal := true
 var normal_length := 2.0
 ## The number of the mistake that is switched on; 0 for none.
 var mistake := 0
-## Seconds since the ball touches the line, within [constant START] to [constant END].
+## Seconds since the ball touched the line, within [constant START] to [constant END].
 var time := START:
 	set(value):
 		time = clampf(value, START, END)
@@ -64,7 +65,7 @@ func normal_part() -> Vec2:
 	return velocity.vector_projection(unit_normal())
 
 
-## How often the part along the normal is subtracted at [param step]; never where the normal is
+## How many times the part along the normal is subtracted at [param step]; never where the normal is
 ## refused.
 func times_subtracted(step: Step) -> float:
 	if refusal() or step < Step.SLIDE:
@@ -82,6 +83,13 @@ func velocity_after(times: float) -> Vec2:
 ## What [method Vec2.reflected] answers: the velocity as it was where the normal is refused.
 func reflected() -> Vec2:
 	return velocity.copy() if refusal() else velocity.reflected(used_normal(), bounciness)
+
+
+## The velocity to which the mistake that is switched on leads; [member velocity] where none is.
+func velocity_with_mistake() -> Vec2:
+	return ReflectionMistakes.velocity_after(
+		mistake, velocity, unit_normal(), normal_length, bounciness
+	)
 
 
 ## The angle in degrees between the way back of the ball and the normal, 0..90.
@@ -115,6 +123,14 @@ func ball_centre(radius: float, leaving: Vec2) -> Vec2:
 	var centre := facing_normal().scaled(radius)
 	centre.add((velocity if time < 0.0 else leaving).scaled(time))
 	return centre
+
+
+## The same for the mistake that is switched on.
+func ball_centre_with_mistake(radius: float) -> Vec2:
+	if mistake != ReflectionMistakes.REFLECTED_AGAIN or time <= 0.0:
+		return ball_centre(radius, velocity_with_mistake())
+	var way := ReflectionMistakes.way_reflected_again(velocity, unit_normal(), bounciness, time)
+	return facing_normal().scaled(radius).plus(way)
 
 
 ## Turns the line so that its normal points along [param direction]. A zero direction is not taken.
@@ -175,7 +191,6 @@ func _enter_normal_length(value: float) -> String:
 	return ""
 
 
-## All of it that the student sets, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
 		"velocity": PackedFloat64Array([velocity.x, velocity.y]),
@@ -187,9 +202,7 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+func problem_in(stored: Dictionary) -> String:
 	var model := ReflectionModel.new()
 	model.from_dictionary(stored)
 	return (
@@ -208,7 +221,6 @@ static func problem_of(stored: Dictionary) -> String:
 	)
 
 
-## Puts back what [method to_dictionary] has told.
 func from_dictionary(stored: Dictionary) -> void:
 	var of_velocity: PackedFloat64Array = stored["velocity"]
 	var of_along: PackedFloat64Array = stored["along"]

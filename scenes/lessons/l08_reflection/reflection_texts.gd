@@ -1,6 +1,6 @@
 class_name ReflectionTexts
 extends RefCounted
-## The sentences and formula lines of the lesson on reflection, step by step.
+## The sentences and the verdict of the lesson on reflection, step by step.
 
 
 ## One sentence a step, translated.
@@ -19,26 +19,6 @@ static func sentences(model: ReflectionModel) -> PackedStringArray:
 		_translate("Subtract it twice: the law of reflection. Both angles are equal."),
 		_translate("Subtract it (1 + C) times: C says how much of it comes back."),
 	]
-
-
-## The formula lines at [param step].
-static func lines(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
-	var found: PackedStringArray = [
-		"{v} = ( {vx} , {vy} )     %s = ( {lx} , {ly} )" % _translate("line"), _normal_line(model)
-	]
-	if model.refusal():
-		found.append(_translate("|{n}| is not 1: refused. {v} stays {v_pair}"))
-		return found
-	if step >= ReflectionModel.Step.SPLIT:
-		found.append("{v} · {n} = {v_x}·{n_x} + {v_y}·{n_y} = {dot}")
-		found.append("({v} · {n}) {n} = {part}")
-	if step >= ReflectionModel.Step.SLIDE:
-		found.append("{v} − ({v} · {n}) {n} = {v_pair} − {part} = {slide}")
-	if step == ReflectionModel.Step.MIRROR:
-		found.append("{v} − 2 ({v} · {n}) {n} = {mirror}")
-	if step == ReflectionModel.Step.BOUNCE:
-		found.append("{v} − (1 + C)({v} · {n}) {n} = {out}")
-	return found
 
 
 ## Two lines for the card on the board: the angles to the normal, and what is left of the energy.
@@ -70,12 +50,6 @@ static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
 		return _translate("in %s° to the normal, and it stops") % angle_in
 	var angle_out := NumberText.short(model.angle_out_degrees(leaving))
 	return _translate("in %s°, out %s° to the normal") % [angle_in, angle_out]
-
-
-static func _normal_line(model: ReflectionModel) -> String:
-	if model.has_unit_normal:
-		return "{n} = {n_pair}     C = {C}"
-	return "{n} = {n_pair}     |{n}| = {n_length}     C = {C}"
 
 
 static func _translate(sentence: String) -> String:

@@ -12,67 +12,98 @@ signal component_released
 const _BAR_PIXELS := 26.0
 const _FONT_SIZE := 17
 
-var _model: MoreDimensionsModel
+## The components of a, in units. There may be more of them than [member dimension].
+@export var a: PackedFloat64Array = []:
+	set(value):
+		a = value
+		_show_change()
+## The components of b, in units; as many as those of a.
+@export var b: PackedFloat64Array = []:
+	set(value):
+		b = value
+		_show_change()
+## How many components of each are shown.
+@export_range(1, 4) var dimension := 3:
+	set(value):
+		dimension = value
+		_show_change()
 
-@onready var _handles_of_a: Array[Handle] = [%A1, %A2, %A3, %A4]
-@onready var _handles_of_b: Array[Handle] = [%B1, %B2, %B3, %B4]
+var _handles_of_a: Array[Handle] = []
+var _handles_of_b: Array[Handle] = []
 
 
 func _ready() -> void:
 	super()
-	for i in MoreDimensionsModel.MOST:
-		_connect_handle(_handles_of_a[i], "a", i)
-		_connect_handle(_handles_of_b[i], "b", i)
+	# The editor would save them.
+	if not Engine.is_editor_hint():
+		for i in a.size():
+			_handles_of_a.append(_new_handle("a", i, Palette.Role.A))
+			_handles_of_b.append(_new_handle("b", i, Palette.Role.B))
 	resized.connect(_lay)
-
-
-## Chooses the scale so that all components of [param model] are seen.
-func fit_model(model: MoreDimensionsModel) -> void:
-	_model = model
 	_lay()
 
 
-## Shows the components of [param model] that count.
+## Shows the components of [param model] that count, at a scale at which all of them are seen.
+func fit_model(model: MoreDimensionsModel) -> void:
+	show_model(model)
+	_lay()
+
+
+## Shows the components of [param model] that count; the scale stays.
 func show_model(model: MoreDimensionsModel) -> void:
-	_model = model
+	a = model.a.duplicate()
+	b = model.b.duplicate()
+	dimension = model.dimension()
 	_place_handles()
-	queue_redraw()
 
 
 func _draw() -> void:
 	super()
 	var axis := to_screen(Vec2.new()).y
 	draw_line(Vector2(0.0, axis), Vector2(size.x, axis), Palette.AXIS, 1.5)
-	if not _model:
-		return
-	for i in _model.dimension():
-		_draw_bar(_pixel_of(i, 0), _model.a[i], Palette.Role.A)
-		_draw_bar(_pixel_of(i, 1), _model.b[i], Palette.Role.B)
+	for i in _count():
+		_draw_bar(_pixel_of(i, 0), a[i], Palette.Role.A)
+		_draw_bar(_pixel_of(i, 1), b[i], Palette.Role.B)
 		_write(str(i + 1), Vector2(_pixel_of(i, 0.5), size.y - 8.0), Palette.Role.QUIET)
 
 
-func _connect_handle(handle: Handle, letter: String, index: int) -> void:
+# No lesson runs in the editor that would choose the scale.
+func _show_change() -> void:
+	queue_redraw()
+	if Engine.is_editor_hint():
+		_lay()
+
+
+func _new_handle(letter: String, index: int, role: Palette.Role) -> Handle:
+	var handle := Handle.new()
+	handle.name = letter.to_upper() + str(index + 1)
+	handle.role = role
 	handle.title = tr("Component %d of %s") % [index + 1, letter]
 	handle.moved.connect(func(point: Vec2) -> void: component_moved.emit(letter, index, -point.y))
 	handle.released.connect(component_released.emit)
+	add_child(handle)
+	return handle
 
 
 func _lay() -> void:
-	if not _model:
-		return
 	var reach := 1.0
-	for i in _model.dimension():
-		reach = maxf(reach, maxf(absf(_model.a[i]), absf(_model.b[i])))
+	for i in _count():
+		reach = maxf(reach, maxf(absf(a[i]), absf(b[i])))
 	fit([Vec2.new(0.0, reach)] as Array[Vec2])
 	_place_handles()
 
 
 func _place_handles() -> void:
-	for i in MoreDimensionsModel.MOST:
-		_handles_of_a[i].visible = i < _model.dimension()
-		_handles_of_b[i].visible = i < _model.dimension()
-		_handles_of_a[i].place(_point_of(i, 0, _model.a[i]))
-		_handles_of_b[i].place(_point_of(i, 1, _model.b[i]))
+	for i in _handles_of_a.size():
+		_handles_of_a[i].visible = i < dimension
+		_handles_of_b[i].visible = i < dimension
+		_handles_of_a[i].place(_point_of(i, 0, a[i]))
+		_handles_of_b[i].place(_point_of(i, 1, b[i]))
+
+
+# How many components can be drawn: while the scene is loaded, there may be fewer.
+func _count() -> int:
+	return mini(dimension, mini(a.size(), b.size()))
 
 
 func _point_of(index: int, place: float, value: float) -> Vec2:
@@ -82,7 +113,7 @@ func _point_of(index: int, place: float, value: float) -> Vec2:
 
 # The middle of a bar in pixels from the left; place 0 is a's, place 1 is b's.
 func _pixel_of(index: int, place: float) -> float:
-	var column := size.x / _model.dimension()
+	var column := size.x / dimension
 	var apart := minf(column * 0.4, 56.0)
 	return column * (index + 0.5) + apart * (place - 0.5)
 

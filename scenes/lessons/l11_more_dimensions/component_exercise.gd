@@ -32,12 +32,9 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
 	return new(kind, one, other)
 
 
-## Lays the vectors of the question into [param model].
-func lay(model: MoreDimensionsModel) -> void:
-	model.has_four = a.size() == MoreDimensionsModel.MOST
-	for i in a.size():
-		model.a[i] = a[i]
-		model.b[i] = b[i]
+## The vectors of the question; a fourth component stays as it is where there are three.
+func board_state() -> Dictionary:
+	return {"a": a, "b": b, "has_four": a.size() == MoreDimensionsModel.MOST}
 
 
 static func _random_list(dimension: int, rng: RandomNumberGenerator) -> PackedFloat64Array:
@@ -88,7 +85,7 @@ static func _sum(list: PackedFloat64Array) -> float:
 	return sum
 
 
-# The first so many components in parentheses, a question mark for each of the others.
+# The first [param known] components in parentheses, a question mark for each of the others.
 static func _text(list: PackedFloat64Array, known: int) -> String:
 	var parts: PackedStringArray = []
 	for i in list.size():

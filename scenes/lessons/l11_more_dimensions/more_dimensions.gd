@@ -1,103 +1,72 @@
 extends Lesson
-## The lesson on more dimensions: the same dot product with three and four components.
+## The lesson on more dimensions: the same dot product with three and four components. The
+## components at the start are those of the bars in the scene, the view is that of the picture.
 
-## Ready-made vectors by their titles (source text): four components of a, four of b.
-const _PRESETS: Dictionary[String, Array] = {
-	"Acute": [4.0, -3.0, 2.0, 1.0, 2.0, -4.0, -1.0, 3.0],
-	"Right angle": [4.0, -3.0, 2.0, 1.0, 1.0, -2.0, -5.0, 0.0],
-	"Obtuse": [4.0, -3.0, 2.0, 1.0, -3.0, 2.0, 1.0, -4.0],
-	"Flat": [7.0, 1.0, 0.0, 0.0, 8.0, -6.0, 0.0, 0.0],
+## Presets by their titles (source text): what each changes in the model's state.
+const _PRESETS: Dictionary[String, Dictionary] = {
+	"Acute": {a = [4, -3, 2, 1], b = [2, -4, -1, 3]},
+	"Right angle": {a = [4, -3, 2, 1], b = [1, -2, -5, 0]},
+	"Obtuse": {a = [4, -3, 2, 1], b = [-3, 2, 1, -4]},
+	"Flat": {a = [7, 1, 0, 0], b = [8, -6, 0, 0]},
 }
-# Pixels below the picture for the words there.
-const _HINT_HEIGHT := 50.0
+# Pixels between the card and the bars below it.
+const _GAP := 8.0
 
 var _model := MoreDimensionsModel.new()
-var _step := MoreDimensionsTexts.Step.size() - 1
-var _rng := RandomNumberGenerator.new()
-var _exercise: ComponentExercise
-var _exercise_kind := ComponentExercise.Kind.DOT
+var _formula: MoreDimensionsFormula
 # The vector as it was when the drag of its head began; empty while there is none.
 var _held: PackedFloat64Array = []
-# Why the last change could not be taken; "" where it could.
-var _refusal := ""
 
-var _steps: Steps
-var _formula: MoreDimensionsFormula
-var _readout: Readout
-var _options: LessonOptions
-var _question: Question
-
+@onready var _steps: Steps = services.get(&"steps")
+@onready var _readout: Readout = services.get(&"readout")
 @onready var _picture: SpacePicture = %Picture
 @onready var _bars: ComponentBars = %Bars
+@onready var _place_of_bars: Control = %PlaceOfBars
 @onready var _stairs: ProductStairs = %Stairs
+@onready var _card: Control = %VerdictCard
 @onready var _verdict: Label = %Verdict
+@onready var _hint: Label = %Hint
 
 
 func start() -> void:
-	_steps = services[&"steps"] as Steps
-	_readout = services[&"readout"] as Readout
-	_options = services[&"options"] as LessonOptions
-	_question = services[&"question"] as Question
-	_connect_board()
-	_connect_panel()
-	_ask()
-	resized.connect(_show_all)
-	_show_all()
-
-
-func state() -> Dictionary:
-	return _model.to_dictionary()
-
-
-func show_state(stored: Dictionary) -> void:
-	_model.from_dictionary(stored)
-	_show_all()
-
-
-func link_problem(linked: Dictionary) -> String:
-	return MoreDimensionsModel.problem_of(linked)
-
-
-func _connect_board() -> void:
-	_picture.head_moved.connect(_move_head)
+	_model.a = _bars.a.duplicate()
+	_model.b = _bars.b.duplicate()
+	_model.view.yaw = _picture.yaw
+	_model.view.pitch = _picture.pitch
+	on_drag(_picture.head_moved, _picture.head_released, _move_head)
+	on_drag(_bars.component_moved, _bars.component_released, _model.set_component)
+	_picture.head_released.connect(func() -> void: _held = [])
+	# While the view turns, no number changes.
 	_picture.turned.connect(_turn)
-	_picture.head_released.connect(_finish)
-	_bars.component_moved.connect(_move_component)
-	_bars.component_released.connect(_finish)
-	_steps.step_changed.connect(_go_to_step)
+	_fill_panel()
+	begin(_model, _show)
 
 
-func _connect_panel() -> void:
-	var panel := services[&"formula"] as Formula
-	_formula = MoreDimensionsFormula.new(panel)
-	panel.number_entered.connect(_enter_number)
-	_options.add_switch("has_four", tr("Four components"))
-	_options.switched.connect(_switch)
-	for title: String in _PRESETS:
-		_options.add_preset(title, tr(title))
-	_options.preset_picked.connect(_set_up)
-	_question.exercise_wanted.connect(_ask)
-	_question.board_wanted.connect(_show_exercise.unbind(1))
+func _fill_panel() -> void:
+	_formula = MoreDimensionsFormula.new(services[&"formula"] as Formula)
+	var options := services[&"options"] as LessonOptions
+	options.add_switch("has_four", tr("Four components"))
+	options.offer_presets(_PRESETS)
+	var kinds := ComponentExercise.Kind.size()
+	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
+	on_edit((services[&"formula"] as Formula).number_entered, _model.enter)
+	on_pick(_model.take)
 
 
 # What the student does.
 
 
-# Heads in space keep to whole numbers: between them, depth could not be told by eye. The way counts
-# from where the drag began, or rounding would eat up its small steps.
-func _move_head(letter: String, point: Vec2) -> void:
+# A head in space keeps to whole numbers: the eye cannot tell depth between them. Its way counts
+# from where the drag began: from step to step, rounding would swallow small steps.
+func _move_head(letter: String, point: Vec2) -> String:
 	if _held.is_empty():
 		_held = (_model.a if letter == "a" else _model.b).duplicate()
 	var way := point.minus(_model.view.seen_at(_held[0], _held[1], _held[2]))
 	var in_space := _model.view.step_in_space(way)
+	var problems: PackedStringArray = []
 	for i in 3:
-		_refusal = _model.set_component(letter, i, roundf(_held[i] + in_space[i]))
-	_show_model()
-
-
-func _move_component(letter: String, index: int, value: float) -> void:
-	_refusal = _model.set_component(letter, index, value)
-	_show_model()
+		problems.append(_model.set_component(letter, i, roundf(_held[i] + in_space[i])))
+	return StateCheck.first(problems)
 
 
 func _turn(yaw: float, pitch: float) -> void:
@@ -105,111 +74,50 @@ func _turn(yaw: float, pitch: float) -> void:
 	_picture.show_model(_model)
 
 
-func _enter_number(name_in_line: String, value: float) -> void:
-	var index := name_in_line.substr(1).to_int() - 1
-	_refusal = _model.set_component(name_in_line[0], index, value)
-	_finish()
-
-
-func _switch(key: String, on: bool) -> void:
-	_model.set(key, on)
-	_finish()
-
-
-func _set_up(preset: String) -> void:
-	var numbers: PackedFloat64Array = _PRESETS[preset]
-	_model.a = numbers.slice(0, MoreDimensionsModel.MOST)
-	_model.b = numbers.slice(MoreDimensionsModel.MOST)
-	_finish()
-
-
-func _show_exercise() -> void:
-	_exercise.lay(_model)
-	_finish()
-
-
-func _ask() -> void:
-	_exercise = ComponentExercise.fresh(_exercise_kind, _rng)
-	_exercise_kind = (
-		(_exercise_kind + 1) % ComponentExercise.Kind.size() as ComponentExercise.Kind
-	)
-	_question.show_exercise(_exercise)
-
-
-func _go_to_step(step: int) -> void:
-	_step = step
-	_show_all()
-
-
-func _finish() -> void:
-	_show_all()
-	edited.emit()
-	noticed.emit(_refusal)
-	_refusal = ""
-	_held = []
-
-
 # What the student sees.
 
 
-func _show_all() -> void:
+func show_all() -> void:
 	_arrange()
 	_picture.fit_model(_model)
 	_bars.fit_model(_model)
-	_options.show_switch("has_four", _model.has_four)
-	_steps.show_sentences(MoreDimensionsTexts.sentences(), _step)
-	_show_model()
+	super()
 
 
-func _show_model() -> void:
+# Three axes fit into a picture; with four, the bars take its place, below the card.
+func _arrange() -> void:
+	_picture.visible = not _model.has_four
+	var place: Control = _picture if _model.has_four else _place_of_bars
+	for side: Side in [SIDE_LEFT, SIDE_TOP, SIDE_RIGHT, SIDE_BOTTOM]:
+		_bars.set_anchor_and_offset(side, place.get_anchor(side), place.get_offset(side))
+	if _model.has_four:
+		_bars.offset_top += _card.get_combined_minimum_size().y + _GAP
+
+
+func _show() -> void:
+	_steps.tell(MoreDimensionsTexts.sentences())
+	_formula.show_model(_model, _steps.step)
 	_picture.show_model(_model)
 	_bars.show_model(_model)
-	(%Hint as Label).text = (
-		tr("Four axes fit into no picture. The formula does not mind.")
-		if _model.has_four
-		else tr("Drag beside the arrows to turn the axes.")
-	)
-	_stairs.visible = _step >= MoreDimensionsTexts.Step.PRODUCTS
-	_stairs.show_products(_model.products(), _step >= MoreDimensionsTexts.Step.SUM)
-	(%VerdictCard as Control).visible = _step >= MoreDimensionsTexts.Step.SIGN
-	_verdict.text = (
-		"a · b %s 0\n%s"
-		% [MoreDimensionsTexts.comparison(_model), MoreDimensionsTexts.sign_words(_model)]
-	)
-	_formula.show_model(_model, _step)
-	_show_readout()
+	_stairs.visible = _steps.step >= MoreDimensionsTexts.Step.PRODUCTS
+	_stairs.products = _model.products()
+	_stairs.shows_sum = _steps.step >= MoreDimensionsTexts.Step.SUM
+	_card.visible = _steps.step >= MoreDimensionsTexts.Step.SIGN
+	_verdict.text = MoreDimensionsTexts.verdict(_model)
+	_hint.text = MoreDimensionsTexts.hint(_model)
+	_show_calls()
 
 
-func _show_readout() -> void:
+func _show_calls() -> void:
 	var one := _model.counted_a()
 	var other := _model.counted_b()
-	var find := ComponentLists.dot.bind(one, other)
-	var exact := ComponentLists.exact_dot(one, other)
-	var error := exact.error_of(_model.dot())
-	_readout.show_result("dot", "a · b", _model.dot(), error, CallTimer.nanoseconds(find))
-	var exact_cosine := _model.exact_cosine()
-	var cosine_error := exact_cosine.error_of(_model.cosine()) if exact_cosine else 0.0
-	var time := CallTimer.nanoseconds(_model.cosine)
-	_readout.show_result("cosine", "cos α", _model.cosine(), cosine_error, time)
+	var exact_dot := ComponentLists.exact_dot(one, other)
+	_show_call("dot", "a · b", ComponentLists.dot.bind(one, other), exact_dot)
+	_show_call("cosine", "cos α", _model.cosine, _model.exact_cosine())
 
 
-# Three axes fit into a picture; with four, the bars take its place.
-func _arrange() -> void:
-	var gap := 8.0
-	var half := Vector2((size.x - 3.0 * gap) / 2.0, (size.y - 3.0 * gap) / 2.0)
-	var left := Rect2(gap, gap, half.x, size.y - 2.0 * gap - _HINT_HEIGHT)
-	var top := Rect2(2.0 * gap + half.x, gap, half.x, half.y)
-	_picture.visible = not _model.has_four
-	_put(_picture, left)
-	# The space picture leaves its corner to the card, bars fill all of it.
-	var below_card := (%VerdictCard as Control).get_combined_minimum_size().y + gap
-	left = left.grow_individual(0.0, -below_card, 0.0, 0.0)
-	_put(_bars, left if _model.has_four else top)
-	_put(%Hint as Control, Rect2(gap, left.end.y, half.x, _HINT_HEIGHT))
-	_put(_stairs, Rect2(top.position.x, 2.0 * gap + half.y, half.x, half.y))
-	_put(%VerdictCard as Control, Rect2(gap + 4.0, gap + 4.0, 0.0, 0.0))
-
-
-func _put(control: Control, place: Rect2) -> void:
-	control.position = place.position
-	control.size = place.size
+# Without an exact answer - a zero vector makes no angle - there is no error either.
+func _show_call(key: String, title: String, method: Callable, exact: DoubleDouble) -> void:
+	var value: float = method.call()
+	var error := exact.error_of(value) if exact else 0.0
+	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(method))

@@ -1,41 +1,63 @@
 class_name MoreDimensionsFormula
 extends RefCounted
-## Puts the numbers of the lesson on more dimensions into its formula lines.
+## The formula of the lesson on more dimensions: its lines, and what each name in them is.
+##
+## a1, a2, ... are the components of a, which can be typed; pa1, pa2, ... are the same in the
+## products, and p1, p2, ... the products.
 
 var _formula: Formula
 
 
-## Says to [param formula] what the names in [MoreDimensionsTexts] stand for.
+## Writes into [param formula].
 func _init(formula: Formula) -> void:
 	_formula = formula
-	_formula.define_symbol("a", "a", Palette.Role.A)
-	_formula.define_symbol("b", "b", Palette.Role.B)
-	for i in MoreDimensionsModel.MOST:
-		var place := i + 1
-		_formula.define_number("a%d" % place, Palette.Role.A, tr("Component %d of a") % place)
-		_formula.define_number("b%d" % place, Palette.Role.B, tr("Component %d of b") % place)
-		_formula.define_number("pa%d" % place, Palette.Role.A)
-		_formula.define_number("pb%d" % place, Palette.Role.B)
-		_formula.define_number("p%d" % place, Palette.Role.PROJECTION)
-	_formula.define_number("length_a", Palette.Role.A)
-	_formula.define_number("length_b", Palette.Role.B)
-	for number: String in ["dot", "sign", "cosine", "angle"]:
-		_formula.define_number(number, Palette.Role.INK)
 
 
 ## Shows the lines up to [param step] with the numbers of [param model].
 func show_model(model: MoreDimensionsModel, step: int) -> void:
-	_formula.show_lines(MoreDimensionsTexts.lines(model, step))
+	_formula.put_symbol("a", "a", Palette.Role.A)
+	_formula.put_symbol("b", "b", Palette.Role.B)
 	for i in model.dimension():
-		var place := i + 1
-		_formula.set_number("a%d" % place, model.a[i])
-		_formula.set_number("b%d" % place, model.b[i])
-		_formula.set_number("pa%d" % place, model.a[i])
-		_formula.set_number("pb%d" % place, model.b[i])
-		_formula.set_number("p%d" % place, model.products()[i])
-	_formula.set_number("dot", model.dot())
-	_formula.set_text("sign", MoreDimensionsTexts.comparison(model))
-	_formula.set_number("length_a", model.length_of_a())
-	_formula.set_number("length_b", model.length_of_b())
-	_formula.set_number("cosine", model.cosine())
-	_formula.set_text("angle", NumberText.short(model.angle_degrees()))
+		_put_component(i + 1, model.a[i], model.b[i])
+	_formula.put_number("dot", model.dot(), Palette.Role.INK)
+	_formula.put_text("sign", MoreDimensionsTexts.comparison(model), Palette.Role.INK)
+	_formula.put_number("length_a", model.length_of_a(), Palette.Role.A)
+	_formula.put_number("length_b", model.length_of_b(), Palette.Role.B)
+	_formula.put_number("cosine", model.cosine(), Palette.Role.INK)
+	_formula.put_text("angle", NumberText.short(model.angle_degrees()), Palette.Role.INK)
+	_formula.show_lines(_lines(model, step))
+
+
+func _put_component(place: int, of_a: float, of_b: float) -> void:
+	_formula.put_number("a%d" % place, of_a, Palette.Role.A, tr("Component %d of a") % place)
+	_formula.put_number("b%d" % place, of_b, Palette.Role.B, tr("Component %d of b") % place)
+	_formula.put_number("pa%d" % place, of_a, Palette.Role.A)
+	_formula.put_number("pb%d" % place, of_b, Palette.Role.B)
+	_formula.put_number("p%d" % place, of_a * of_b, Palette.Role.PROJECTION)
+
+
+func _lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
+	var dimension := model.dimension()
+	var found: PackedStringArray = [_list("a", dimension), _list("b", dimension)]
+	if step >= MoreDimensionsTexts.Step.PRODUCTS:
+		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + "))
+	if step >= MoreDimensionsTexts.Step.SUM:
+		found.append("= " + _joined("{p%d}", dimension, " + ") + " = {dot}")
+	if step >= MoreDimensionsTexts.Step.SIGN:
+		found.append("{a} · {b} {sign} 0:  " + MoreDimensionsTexts.sign_words(model))
+	if step >= MoreDimensionsTexts.Step.ANGLE:
+		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
+		found.append("cos α = {dot} / (|{a}| |{b}|) = {cosine}")
+		found.append("α = {angle}°")
+	return found
+
+
+static func _list(letter: String, dimension: int) -> String:
+	return "{%s} = ( %s )" % [letter, _joined("{%s%%d}" % letter, dimension, " , ")]
+
+
+static func _joined(pattern: String, dimension: int, between: String) -> String:
+	var parts: PackedStringArray = []
+	for i in dimension:
+		parts.append(pattern.replace("%d", str(i + 1)))
+	return between.join(parts)

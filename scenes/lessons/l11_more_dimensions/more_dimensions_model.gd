@@ -1,11 +1,11 @@
 class_name MoreDimensionsModel
-extends RefCounted
+extends LessonModel
 ## Two vectors of three or four components, and the one dot product that serves them all.
 
 ## What the sign of the dot product says of the angle.
 enum Side { OBTUSE = -1, RIGHT = 0, ACUTE = 1 }
 
-## So many components are kept; with three, the last one does not count.
+## This many components are kept; with three, the last one does not count.
 const MOST := 4
 ## No component is larger in size than this, so that products stay exact enough to be compared.
 const LARGEST := 1e6
@@ -84,6 +84,12 @@ func side() -> Side:
 	return int(signf(dot())) as Side
 
 
+## Takes a typed number by its name in the formula, such as `a1`. "" if it was taken; else one
+## sentence with the value and what is allowed, and nothing changes.
+func enter(name_in_line: String, value: float) -> String:
+	return set_component(name_in_line[0], name_in_line.substr(1).to_int() - 1, value)
+
+
 ## Puts [param value] into a component, counted from 0, of the vector [param letter], `a` or `b`.
 ## "" if it was taken; else one sentence with the value and what is allowed, and nothing changes.
 func set_component(letter: String, index: int, value: float) -> String:
@@ -100,7 +106,6 @@ func set_component(letter: String, index: int, value: float) -> String:
 	return ""
 
 
-## All of it, for undo and links.
 func to_dictionary() -> Dictionary:
 	return {
 		"a": a.duplicate(),
@@ -110,13 +115,11 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## "" if a state such as [method to_dictionary] tells can be put back; else one sentence with the
-## value and what is allowed.
-static func problem_of(stored: Dictionary) -> String:
+func problem_in(stored: Dictionary) -> String:
 	var model := MoreDimensionsModel.new()
 	for letter: String in ["a", "b"]:
 		var components: PackedFloat64Array = stored[letter]
-		for i in MOST:
+		for i in components.size():
 			var problem := model.set_component(letter, i, components[i])
 			if problem:
 				return problem
@@ -125,12 +128,13 @@ static func problem_of(stored: Dictionary) -> String:
 	return StateCheck.within("view", angles[1], -steepest, steepest)
 
 
-## Puts back what [method to_dictionary] has told.
+## The vectors in [param stored] may have fewer components than [constant MOST]: the others stay.
 func from_dictionary(stored: Dictionary) -> void:
 	var components_of_a: PackedFloat64Array = stored["a"]
 	var components_of_b: PackedFloat64Array = stored["b"]
-	a = components_of_a.duplicate()
-	b = components_of_b.duplicate()
+	for i in components_of_a.size():
+		a[i] = components_of_a[i]
+		b[i] = components_of_b[i]
 	has_four = stored["has_four"]
 	var angles: PackedFloat64Array = stored["view"]
 	view.yaw = angles[0]

@@ -1,6 +1,6 @@
 class_name MoreDimensionsTexts
 extends RefCounted
-## The sentences and formula lines of the lesson on more dimensions, step by step.
+## The sentences and the verdict of the lesson on more dimensions.
 
 ## The steps in order.
 enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE }
@@ -17,21 +17,16 @@ static func sentences() -> PackedStringArray:
 	]
 
 
-## The formula lines up to [param step] for the vectors of [param model].
-static func lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
-	var dimension := model.dimension()
-	var found: PackedStringArray = [_list("a", dimension), _list("b", dimension)]
-	if step >= Step.PRODUCTS:
-		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + "))
-	if step >= Step.SUM:
-		found.append("= " + _joined("{p%d}", dimension, " + ") + " = {dot}")
-	if step >= Step.SIGN:
-		found.append("{a} · {b} {sign} 0:  " + sign_words(model))
-	if step >= Step.ANGLE:
-		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
-		found.append("cos α = {dot} / (|{a}| |{b}|) = {cosine}")
-		found.append("α = {angle}°")
-	return found
+## What the sign of the dot product says, in two lines, translated.
+static func verdict(model: MoreDimensionsModel) -> String:
+	return "a · b %s 0\n%s" % [comparison(model), sign_words(model)]
+
+
+## The words below the picture or the bars that replace it, translated.
+static func hint(model: MoreDimensionsModel) -> String:
+	if model.has_four:
+		return _translate("Four axes fit into no picture. The formula does not mind.")
+	return _translate("Drag beside the arrows to turn the axes.")
 
 
 ## What the sign says of the angle, translated.
@@ -49,17 +44,6 @@ static func sign_words(model: MoreDimensionsModel) -> String:
 ## The sign of the comparison with 0.
 static func comparison(model: MoreDimensionsModel) -> String:
 	return ["<", "=", ">"][model.side() + 1]
-
-
-static func _list(letter: String, dimension: int) -> String:
-	return "{%s} = ( %s )" % [letter, _joined("{%s%%d}" % letter, dimension, " , ")]
-
-
-static func _joined(pattern: String, dimension: int, between: String) -> String:
-	var parts: PackedStringArray = []
-	for i in dimension:
-		parts.append(pattern.replace("%d", str(i + 1)))
-	return between.join(parts)
 
 
 static func _translate(sentence: String) -> String:

@@ -1,3 +1,4 @@
+@tool
 class_name ProductStairs
 extends Control
 ## The sum of the products as stairs: each product goes up or down from where the last one ended,
@@ -7,20 +8,23 @@ const _MARGIN_TOP := 40.0
 const _MARGIN_BOTTOM := 30.0
 const _FONT_SIZE := 17
 
-var _products: PackedFloat64Array = []
-var _shows_sum := true
+## What is added up, in square units.
+@export var products: PackedFloat64Array = []:
+	set(value):
+		products = value
+		queue_redraw()
+## Also shows the sum, as a stair of its own at the end.
+@export var shows_sum := true:
+	set(value):
+		shows_sum = value
+		queue_redraw()
 
 
 func _ready() -> void:
 	resized.connect(queue_redraw)
-	accessibility_name = tr("The products added up")
-
-
-## Shows [param products], and their sum where [param shows_sum].
-func show_products(products: PackedFloat64Array, shows_sum: bool) -> void:
-	_products = products
-	_shows_sum = shows_sum
-	queue_redraw()
+	# The editor would save it.
+	if not Engine.is_editor_hint():
+		accessibility_name = tr("The products added up")
 
 
 func _draw() -> void:
@@ -29,13 +33,13 @@ func _draw() -> void:
 	var axis := _pixel(0.0)
 	draw_line(Vector2(12.0, axis), Vector2(size.x - 12.0, axis), Palette.AXIS, 1.5)
 	var sum := 0.0
-	for i in _products.size():
-		_draw_stair(i, sum, sum + _products[i], _role_of(_products[i]), _text_of(_products[i]))
+	for i in products.size():
+		_draw_stair(i, sum, sum + products[i], _role_of(products[i]), _text_of(products[i]))
 		_write_below(i, "%d" % (i + 1))
-		sum += _products[i]
-	if _shows_sum:
-		_draw_stair(_products.size(), 0.0, sum, Palette.Role.INK, NumberText.short(sum))
-		_write_below(_products.size(), "a · b")
+		sum += products[i]
+	if shows_sum:
+		_draw_stair(products.size(), 0.0, sum, Palette.Role.INK, NumberText.short(sum))
+		_write_below(products.size(), "a · b")
 
 
 static func _role_of(product: float) -> Palette.Role:
@@ -56,7 +60,7 @@ func _draw_stair(index: int, from: float, to: float, role: Palette.Role, text: S
 	var area := Rect2(middle - half, top, 2.0 * half, maxf(bottom - top, 2.0))
 	draw_rect(area, Color(color, 0.25))
 	draw_rect(area, color, false, 2.0)
-	if index < _products.size() and (_shows_sum or index < _products.size() - 1):
+	if index < products.size() and (shows_sum or index < products.size() - 1):
 		var next := Vector2(_middle_of(index + 1) - half, _pixel(to))
 		draw_dashed_line(Vector2(middle + half, _pixel(to)), next, Palette.AXIS, 1.5, 4.0)
 	_write(text, Vector2(middle, top - 8.0), role)
@@ -67,19 +71,19 @@ func _write_below(index: int, text: String) -> void:
 
 
 func _column() -> float:
-	return size.x / (_products.size() + 1)
+	return size.x / (products.size() + 1)
 
 
 func _middle_of(index: int) -> float:
 	return _column() * (index + 0.5)
 
 
-# The pixel from above at which a value stands; highest and lowest stair fit in between.
+# Where a value is, in pixels from the top; the highest and the lowest stair fit in between.
 func _pixel(value: float) -> float:
 	var lowest := 0.0
 	var highest := 0.0
 	var sum := 0.0
-	for product in _products:
+	for product in products:
 		sum += product
 		lowest = minf(lowest, sum)
 		highest = maxf(highest, sum)

@@ -13,7 +13,11 @@ signal head_released
 
 ## Radians for each pixel of a drag.
 const _TURN_PER_PIXEL := 0.01
-const _AXIS_NAMES: PackedStringArray = ["x", "y", "z"]
+
+## The view at the start, turned about the y axis: what [member Axonometry.yaw] is then.
+@export_range(-180.0, 180.0, 0.001, "radians_as_degrees") var yaw := 0.5
+## The view at the start, tilted: what [member Axonometry.pitch] is then.
+@export_range(-80.0, 80.0, 0.001, "radians_as_degrees") var pitch := -0.45
 
 var _reach := 1.0
 # Where the drag that turns the view was last; null while there is none.
@@ -30,8 +34,9 @@ var _grip: Vec2
 
 func _ready() -> void:
 	super()
-	_head_of_a.title = tr("Head of %s") % "a"
-	_head_of_b.title = tr("Head of %s") % "b"
+	# In the editor the board is fitted to what is drawn on it.
+	if Engine.is_editor_hint():
+		return
 	_head_of_a.moved.connect(func(point: Vec2) -> void: head_moved.emit("a", point))
 	_head_of_b.moved.connect(func(point: Vec2) -> void: head_moved.emit("b", point))
 	_head_of_a.released.connect(head_released.emit)
@@ -55,7 +60,6 @@ func show_model(model: MoreDimensionsModel) -> void:
 	for i in 3:
 		var end: PackedFloat64Array = [0.0, 0.0, 0.0]
 		end[i] = _reach * 1.15
-		_axes[i].label = _AXIS_NAMES[i]
 		_axes[i].lay(Vec2.new(), view.seen_at(end[0], end[1], end[2]))
 	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
 	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)

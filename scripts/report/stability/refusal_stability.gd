@@ -56,7 +56,8 @@ func _try(_is_quick: bool, trials: Callable) -> StabilityResult:
 # The state of the whole world, to the last bit.
 func _all_of(world: EventWorld) -> Array:
 	var kept := world.snapshot()
-	return [kept.time, kept.time_low, kept.impacts, kept.contents, kept.counted, kept.arrays]
+	var counts := [kept.impacts, kept.contents, kept.count_from, kept.counted_impacts]
+	return [kept.time, kept.time_low, counts, kept.arrays]
 
 
 func _ball_places(world: EventWorld) -> Array[PackedStringArray]:

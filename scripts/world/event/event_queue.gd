@@ -1,31 +1,31 @@
 class_name EventQueue
 extends RefCounted
-## Which of many things happens next: a time for each, and the earliest of all without looking at
-## all.
+## Which of many things happens next. It keeps a time for each, and finds the earliest without
+## looking at all of them.
 ##
-## A tournament: each pair plays, the earlier one goes on, the winner of all stands at the top. When
-## one time changes, only its own matches are played again: as many as the count has binary digits.
-## A time is the sum of two numbers, the second one smaller than the last place of the first.
-## Of two equal times the smaller index wins, so that the order is always the same.
+## It is a tournament: each pair plays, the earlier one goes on, and the winner of all is at the
+## top. When one time changes, only its own matches are played again: as many as the count has
+## binary digits. A time is the sum of two numbers, the second one smaller than the last place of
+## the first. Of two equal times the smaller index wins, so that the order is always the same.
 
 ## The index that comes first; 0 where nothing is ever to happen.
 var first := 0
 ## When that is, in seconds; INF where nothing is ever to happen.
 var first_time := INF
-## What [member first_time] leaves over: a part smaller than its last place.
+## The second part of [member first_time].
 var first_low := 0.0
 ## The time of each index, in seconds, INF for never. Read it; change it by [method change].
 var times: PackedFloat64Array = []
-## What [member times] leave over.
+## The second parts of [member times].
 var lows: PackedFloat64Array = []
 
-# A complete binary tree: the children of match k are 2k and 2k + 1, the indices themselves stand
-# behind the last match.
+# A complete binary tree: the children of match k are 2k and 2k + 1; the indices themselves follow
+# the last match.
 var _winners: PackedInt32Array = [0, 0]
 var _capacity := 1
 
 
-## Makes room for this many, keeping the times there are; new ones never happen.
+## Makes room for this many and keeps the times that it has; new ones never happen.
 func resize(count: int) -> void:
 	var old := times.size()
 	_capacity = 1
@@ -48,8 +48,8 @@ func resize(count: int) -> void:
 func change(index: int, time: float, low: float = 0.0) -> void:
 	times[index] = time
 	lows[index] = low
-	# What _earlier does, written out, as every event of a world comes through here: on the way up
-	# the winner so far meets the winner from the other side.
+	# On the way up the winner so far meets the winner from the other side. The steps of _earlier
+	# are written out, because every event of a world comes through here.
 	var winner := index
 	var winner_time := time
 	var place := _capacity + index

@@ -5,16 +5,24 @@ extends RefCounted
 
 ## When it was taken, in seconds of the world.
 var time := 0.0
-## What [member time] leaves over.
+## The second part of the time: see [EventState].
 var time_low := 0.0
 ## Impacts until then.
 var impacts := 0
 ## Which state of the segments, walls, gravity and bounciness it belongs to.
 var contents := 0
-## Where the counting of impacts within a second began, and how many there were before.
-var counted: PackedFloat64Array = []
-## The slides over round ends; they never change.
-var rolls: Array[CapSlide] = []
+## When the count of impacts within a second began.
+var count_from := 0.0
+## How many impacts there were before.
+var counted_impacts := 0
+## Whether the balls were in cells.
+var uses_cells := false
+## The edge of a cell then, in pixels.
+var cell_size := 1.0
+## How many columns the table of cells had.
+var cell_columns := 0
+## The ways of the balls over caps; they never change.
+var slides: Array[CapSlide] = []
 ## Copies of the world's arrays, in the world's own order.
 var arrays: Array = []
 
@@ -36,7 +44,7 @@ func keep(packed_arrays: Array) -> void:
 			arrays.append(bytes.duplicate())
 
 
-## Fills these packed arrays, in the same order as they were kept, with what they held.
+## Fills these packed arrays, in the order in which they were kept, with what they held.
 func put_into(packed_arrays: Array) -> void:
 	for place in arrays.size():
 		var numbers: Variant = packed_arrays[place]

@@ -1,12 +1,12 @@
 class_name SegmentCells
 extends SegmentScan
 ## The cells of a uniform grid, each with the segments that a ball with its centre in the cell might
-## touch. They are laid out when a flight is first asked about, and anew after a change.
+## touch. They are laid out at the first question about a flight, and again after a change.
 
 # The edge of a cell as a share of the one that would give each segment a cell of its own.
 const _CELL_SHARE := 0.5
-# A segment reaches so much further into the cells than the largest ball, as a share of a cell: so
-# no rounding of a place on the border of a cell can hide it.
+# A segment is entered a little beyond the reach of the largest ball, by this share of a cell: then
+# rounding at the border of a cell cannot hide it.
 const _MARGIN := 1e-6
 
 var _cell := 1.0
@@ -16,11 +16,11 @@ var _columns := 0
 var _rows := 0
 var _reach := 0.0
 var _is_stale := true
-# Lists with links: the first entry of each cell, and for each entry its segment and the next one.
+# Linked lists: the first entry of each cell, and for each entry its segment and the next entry.
 var _first_entry: PackedInt32Array = []
 var _entry_segment: PackedInt32Array = []
 var _entry_next: PackedInt32Array = []
-# Counts the questions: a segment that stands in several cells is tried once for each.
+# Counts the questions: a segment that is in several cells is tried once for each question.
 var _question := 0
 var _tried: PackedInt64Array = []
 
@@ -72,8 +72,8 @@ func _lay_out() -> void:
 	var width := high_x - _low_x + 2.0 * _reach
 	var height := high_y - _low_y + 2.0 * _reach
 	_cell = _CELL_SHARE * sqrt(width * height / size())
-	# No cell smaller than the largest ball, no more than a few for each segment where all lie in one
-	# row, and none so small that places in it could not be told apart.
+	# No cell smaller than the largest ball, no more than a few for each segment where all lie in
+	# one row, and none so small that places in it could not be told apart.
 	var digits := 1e-12 * (absf(_low_x) + absf(_low_y) + absf(high_x) + absf(high_y))
 	_cell = maxf(maxf(_cell, _reach), maxf(_CELL_SHARE * maxf(width, height) / size(), digits))
 	_low_x -= _reach + _MARGIN * _cell

@@ -1,14 +1,14 @@
 class_name SegmentGrid
 extends SegmentCells
-## Segments in a uniform grid that a flight is followed through cell by cell, so that the cost of a
-## prediction does not grow with their number.
+## Segments in a uniform grid. A flight is followed from cell to cell, so that the cost of a
+## prediction does not grow with the number of segments.
 ##
 ## Each cell lists the segments that a ball with its centre in the cell might touch. A straight
 ## flight goes from cell to cell by Amanatides and Woo, A Fast Voxel Traversal Algorithm, 1987; a
-## parabola is cut into pieces of about a cell, and the cells around each piece are asked. Few
-## segments are scanned, which is faster, and gives the same impact.
+## parabola is cut into pieces of about a cell, and the cells around each piece are looked at. A few
+## segments are scanned instead, which is faster and gives the same impact.
 
-# Up to so many segments are scanned.
+# Up to this number of segments are scanned.
 const _FEW := 8
 
 # When a straight flight enters and leaves the grid, in seconds from its start.
@@ -59,9 +59,9 @@ func first_accelerated_impact(
 	return index >= 0
 
 
-# Goes along the straight flight from cell to cell until an impact lies before the next border.
-# The numbers of the cells, and how many are left in each direction, are counted on and not worked
-# out anew: a prediction passes some six cells.
+# Goes along the straight flight from cell to cell until an impact lies before the next border. The
+# number of the cell, and how many are left in each direction, are counted on: a prediction passes
+# about six cells.
 func _walk() -> void:
 	_entered = 0.0
 	_left = time
@@ -98,13 +98,7 @@ func _walk() -> void:
 		step_y = -_columns
 		rows_left = row
 	while true:
-		var entry := _first_entry[cell]
-		while entry >= 0:
-			var place := _entry_segment[entry]
-			if _tried[place] != _question:
-				_tried[place] = _question
-				_try(place)
-			entry = _entry_next[entry]
+		_try_cell(cell)
 		if next_x < next_y:
 			if next_x >= time or columns_left == 0:
 				return
@@ -119,6 +113,16 @@ func _walk() -> void:
 			next_y += between_y
 
 
+func _try_cell(cell: int) -> void:
+	var entry := _first_entry[cell]
+	while entry >= 0:
+		var place := _entry_segment[entry]
+		if _tried[place] != _question:
+			_tried[place] = _question
+			_try(place)
+		entry = _entry_next[entry]
+
+
 # Narrows the stretch of time in which the flight is in the grid to the one in which a coordinate is
 # between two borders; false if it never is.
 func _is_between(low: float, high: float, from: float, velocity: float) -> bool:
@@ -131,7 +135,7 @@ func _is_between(low: float, high: float, from: float, velocity: float) -> bool:
 	return _entered <= _left
 
 
-# Cuts the parabola into pieces of about a cell.
+# Cuts the parabola into pieces of about a cell, and looks at the cells around each.
 func _follow_parabola() -> void:
 	var pull := absf(_pull_x) + absf(_pull_y)
 	var begin := 0.0
@@ -143,7 +147,7 @@ func _follow_parabola() -> void:
 			if not begin < time:
 				return
 		var speed := absf(_velocity_x + _pull_x * begin) + absf(_velocity_y + _pull_y * begin)
-		# In this time it moves by at most two cells; it moves at all, or is hung up for good.
+		# In this time it moves by at most two cells. If it never moves, one look is enough.
 		var step := 2.0 * _cell / (speed + sqrt(2.0 * _cell * pull))
 		if not step < INF:
 			step = 0.0

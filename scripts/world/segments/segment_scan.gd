@@ -3,15 +3,15 @@ extends SegmentList
 ## The first of many segments that a flying ball meets, found by looking at all. [SegmentGrid] finds
 ## the same impact by looking at those near the path.
 ##
-## The answer is what [StraightImpactFinder] and [AcceleratedImpactFinder] say of each segment. The steps of the
-## first stand here once more, and most segments are put aside by a few of them, because every
-## prediction of an [EventWorld] runs through this.
+## The answer is what [StraightImpactFinder] and [AcceleratedImpactFinder] say of each segment. The
+## steps of the first are written out here: every prediction of an [EventWorld] among segments runs
+## through them, and the first few rule out most segments.
 
-## A ball that is no farther than this from touching a line or an end, in pixels, touches it: so far
-## rounding may take it.
+## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
+## rounding may move it this far.
 const TOUCH := 1e-9
 
-# The same where coordinates are large: in units of them.
+# What rounding adds to that where coordinates are large, as a share of them.
 const _ROUNDING := 8.0 / 2.0 ** 52
 
 ## Seconds until the impact that was found.
@@ -21,7 +21,7 @@ var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
 
-# The flight that is asked about: seconds, pixels.
+# The flight that is looked at: pixels, seconds.
 var _x := 0.0
 var _y := 0.0
 var _velocity_x := 0.0
@@ -30,7 +30,7 @@ var _pull_x := 0.0
 var _pull_y := 0.0
 var _radius := 0.0
 var _skipped := -1
-# The radius times the speed, squared, and a little more.
+# The square of the radius times the speed, and a little more for rounding.
 var _reach_squared := 0.0
 var _slack := TOUCH
 var _straight := StraightImpactFinder.new()
@@ -102,13 +102,14 @@ func _ask_accelerated(pull_x: float, pull_y: float) -> void:
 	_slack = TOUCH + _ROUNDING * (absf(_x) + absf(_y))
 
 
-# Takes the segment at that place if it is met before all that were tried.
+# Takes the segment at that place if the ball meets it before all that were tried.
 func _try(place: int) -> void:
 	var start_x := _start_x[place]
 	var start_y := _start_y[place]
 	var along_x := _end_x[place] - start_x
 	var along_y := _end_y[place] - start_y
-	# As in StraightImpactFinder: distance from the line and approach to it, times the segment's length.
+	# As in StraightImpactFinder: distance from the line and approach to it, both times the length
+	# of the segment.
 	var distance := along_x * (_y - start_y) - along_y * (_x - start_x)
 	var approach := along_y * _velocity_x - along_x * _velocity_y
 	if distance < 0.0:
@@ -122,7 +123,7 @@ func _try(place: int) -> void:
 	if gap <= 0.0:
 		_try_from_near(place)
 		return
-	# Where along the line it is met; beyond an end only that end can be met.
+	# Where along the line the ball meets it; beyond an end it can meet only the cap there.
 	var seconds := gap / approach
 	var along := (
 		along_x * (_x - start_x)
@@ -137,7 +138,7 @@ func _try(place: int) -> void:
 		_take(place, seconds, Impact.Feature.LINE)
 
 
-# The ball starts closer to the line than its radius.
+# The ball starts nearer to the line than its radius.
 func _try_from_near(place: int) -> void:
 	if _straight.with_segment(
 		_x,
@@ -153,7 +154,7 @@ func _try_from_near(place: int) -> void:
 		_take(place, _straight.time, _straight.feature)
 
 
-# Most ends are passed by far: that is asked first.
+# The ball passes most caps at a distance, so that is tested first.
 func _try_end(place: int, x: float, y: float, end: Impact.Feature) -> void:
 	var offset := (_x - x) * _velocity_y - (_y - y) * _velocity_x
 	if offset * offset <= _reach_squared:
@@ -174,9 +175,9 @@ func _try_accelerated(place: int) -> void:
 		approach = -approach
 		pull = -pull
 	var gap := distance - _radius * _length[place]
-	# What touches is asked first, so that the order of the segments makes no difference.
+	# What touches is looked at in any case, so that the order of the segments makes no difference.
 	var touches := gap <= _slack * _length[place]
-	# The pull counts in full only if it helps; a limit without end is no help.
+	# Ruled out if it is too far away, with the pull taken into account only where it helps.
 	if not touches and gap > (approach + 0.5 * maxf(pull, 0.0) * time) * time and time < INF:
 		return
 	if _is_there[place] == 0 or place == _skipped:
@@ -187,7 +188,8 @@ func _try_accelerated(place: int) -> void:
 		_take(place, _accelerated.time, _accelerated.feature)
 
 
-# Of two that are met at once the one with the smaller place counts, however they are found.
+# Of two that are met at the same time, the one at the smaller place is taken, in whatever order
+# they are tried.
 func _take(place: int, seconds: float, of: Impact.Feature) -> void:
 	if seconds < time or (seconds == time and place < index):
 		time = seconds
@@ -195,9 +197,9 @@ func _take(place: int, seconds: float, of: Impact.Feature) -> void:
 		feature = of
 
 
-# A ball that touches a segment and neither approaches nor leaves it, but is pulled into it, meets
-# it at once, or when it has fallen back to where it is: it never was clear of it, and must not sink
-# in. Distance, approach and pull are times the length of the segment.
+# A ball that touches a segment, hardly moves along its normal and is pulled into it meets it at
+# once, or when it has fallen back to where it is: it was never clear of the segment, and must not
+# sink into it. Gap, approach and pull are multiplied by the length of the segment.
 func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var share := share_of(place, _x, _y)
 	if share >= 0.0 and share <= 1.0:
@@ -213,7 +215,7 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	if absf(distance - _radius) > _slack:
 		return false
 	var speed := -(_velocity_x * dx + _velocity_y * dy) / distance
-	# Round a point the ball is pulled outwards, too, the more the faster it is.
+	# Around a point there is the centrifugal acceleration, too.
 	var around := (_velocity_x * dy - _velocity_y * dx) / distance
 	var inwards := -(_pull_x * dx + _pull_y * dy) / distance - around * around / distance
 	if not _is_held(speed, inwards, _slack):
@@ -222,6 +224,6 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	return true
 
 
-# Whether something is pulled back before it has risen by so much.
+# Whether what leaves a surface at this speed is pulled back before it has risen by this height.
 func _is_held(approach: float, pull: float, height: float) -> bool:
 	return pull > 0.0 and approach * approach <= 2.0 * pull * height

@@ -8,12 +8,15 @@ const _KEPT: PackedStringArray = ["res://kept.gd"]
 
 
 func test_of_the_classes_those_of_exported_files_stay() -> void:
-	var list := 'list=[{"class": &"Kept", "path": "res://kept.gd"}, '
-	list += '{"class": &"Gone", "path": "res://gone.gd"}]'
+	var kept := {"base": &"Node", "class": &"Kept", "is_abstract": false, "is_tool": true}
+	kept.merge({"language": &"GDScript", "path": "res://kept.gd"})
+	var gone := kept.merged({"class": &"Gone", "path": "res://gone.gd"}, true)
+	var with_icon := kept.merged({"icon": ""})
+	var list := "list=" + var_to_str([with_icon, gone])
 	var lean := ConfigFile.new()
 	lean.parse(LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8())
 	var entries: Array = lean.get_value("", "list")
-	assert_eq(entries, [{"class": &"Kept", "path": "res://kept.gd"}])
+	assert_eq(entries, [kept])
 
 
 func test_of_the_ids_those_of_exported_files_stay() -> void:

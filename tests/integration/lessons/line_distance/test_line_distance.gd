@@ -150,7 +150,7 @@ func test_beside_the_end_both_distances_are_shown() -> void:
 	assert_eq(seen(["%ToSegment"]), [true])
 
 
-func test_each_situation_can_be_set_up() -> void:
+func test_each_preset_can_be_set_up() -> void:
 	var gaps: Dictionary[String, String] = {
 		"Too close": "Too close by 5 px",
 		"Behind": "Behind the line: 90 px too far",

@@ -37,7 +37,7 @@ func test_the_card_covers_no_bar_where_bars_fill_the_board() -> void:
 	await click_button("Four components")
 	await click_button("Flat")
 	var card := _part("VerdictCard").get_global_rect()
-	var highest := _part("Bars").get_node("%B1") as Control
+	var highest := _part("Bars").get_node("B1") as Control
 	assert_false(card.grow(8.0).has_point(highest.get_global_rect().get_center()))
 	assert_gt(_part("Bars").get_global_rect().position.y, card.end.y)
 
@@ -55,7 +55,7 @@ func test_a_component_that_cannot_be_is_refused() -> void:
 
 
 func test_dragging_the_end_of_a_bar_changes_its_component_only() -> void:
-	var handle := _part("Bars").get_node("%B2") as Control
+	var handle := _part("Bars").get_node("B2") as Control
 	var from := handle.get_global_rect().get_center()
 	var unit := (_part("Bars") as ComponentBars).pixels_per_unit
 	await student.drag(from, from - Vector2(0.0, 3.0 * unit))
@@ -64,7 +64,7 @@ func test_dragging_the_end_of_a_bar_changes_its_component_only() -> void:
 
 
 func test_arrow_keys_nudge_a_bar_by_one() -> void:
-	(_part("Bars").get_node("%A1") as Control).grab_focus()
+	(_part("Bars").get_node("A1") as Control).grab_focus()
 	await student.press(&"ui_up")
 	await student.press(&"ui_left")
 	assert_eq(_numbers("a"), PackedFloat64Array([5, -3, 2, 1]))

@@ -31,7 +31,7 @@ func test_for_any_speed_the_impact_is_exact_and_the_reset_misses() -> void:
 		assert_eq(readout_text(2, 2), misses[speed])
 
 
-func test_each_situation_is_explained_in_words() -> void:
+func test_each_preset_is_explained_in_words() -> void:
 	var words: Dictionary[String, String] = {
 		"Not yet": "t = 1.333, above 1",
 		"Inside": "too close already: contact at once",

@@ -143,7 +143,7 @@ func test_each_mistake_shows_its_wrong_velocity_beside_the_right_one() -> void:
 	for i: int in wrongs.size():
 		await _pick_mistake(i + 1)
 		_assert_number("mistake", 11 + i)
-		assert_eq(ReflectionMistakes.velocity_after(_model()).to_vector2(), wrongs[i])
+		assert_eq(_model().velocity_with_mistake().to_vector2(), wrongs[i])
 		assert_true((frame().lesson.get_node("%Wrong") as CanvasItem).visible)
 		assert_reads("Caught by test_bounce.test_mistake_%d" % (11 + i))
 
@@ -248,7 +248,7 @@ func _ball() -> Vector2:
 
 
 func _step() -> ReflectionModel.Step:
-	return frame().lesson.get("_step")
+	return (frame().lesson.services[&"steps"] as Steps).step as ReflectionModel.Step
 
 
 func _wrong_ball() -> CanvasItem:

@@ -39,5 +39,6 @@ func test_on_the_board_a_missing_component_makes_the_dot_product_0() -> void:
 	rng.seed = 12
 	for i: int in 20:
 		var model := MoreDimensionsModel.new()
-		ComponentExercise.fresh(ComponentExercise.Kind.MISSING, rng).lay(model)
+		var exercise := ComponentExercise.fresh(ComponentExercise.Kind.MISSING, rng)
+		assert_eq(model.take(exercise.board_state()), "")
 		assert_eq(model.dot(), 0.0)

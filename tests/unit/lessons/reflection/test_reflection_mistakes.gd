@@ -27,7 +27,7 @@ func test_the_ball_of_mistake_14_sticks_to_the_line() -> void:
 	model.mistake = 14
 	for frame: int in 60:
 		model.time = (frame + 0.5) / 60.0
-		var centre := ReflectionMistakes.ball_centre(model, 0.5)
+		var centre := model.ball_centre_with_mistake(0.5)
 		assert_almost_eq(centre.x, 3.0 * model.time, 1e-12)
 		assert_almost_eq(centre.y, -0.5 - 2.0 / 60.0, 1e-12, "half a frame of 4 units a second")
 
@@ -36,9 +36,9 @@ func test_the_balls_of_the_other_mistakes_fly_straight() -> void:
 	var model := ReflectionModel.new()
 	model.mistake = 12
 	model.time = 1.0
-	assert_vec2(ReflectionMistakes.ball_centre(model, 0.5), Vec2.new(-3, 3.5), 0.0)
+	assert_vec2(model.ball_centre_with_mistake(0.5), Vec2.new(-3, 3.5), 0.0)
 	model.time = -1.0
-	assert_vec2(ReflectionMistakes.ball_centre(model, 0.5), Vec2.new(-3, -4.5), 0.0)
+	assert_vec2(model.ball_centre_with_mistake(0.5), Vec2.new(-3, -4.5), 0.0)
 
 
 func test_each_mistake_names_a_test_that_exists() -> void:
@@ -55,4 +55,4 @@ func _wrong(mistake: int, bounciness: float = 1.0) -> Vec2:
 	var model := ReflectionModel.new()
 	model.mistake = mistake
 	model.bounciness = bounciness
-	return ReflectionMistakes.velocity_after(model)
+	return model.velocity_with_mistake()

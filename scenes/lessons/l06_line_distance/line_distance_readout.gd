@@ -1,4 +1,4 @@
-class_name LineDistanceResults
+class_name LineDistanceReadout
 extends RefCounted
 ## Shows in the readout the distance as measured from p and from the start of the line, and how far
 ## each is from the exact one.
@@ -12,18 +12,18 @@ func _init(readout: Readout) -> void:
 	_readout = readout
 
 
-## Measures the run times of both ways. Between drags only, which it would slow down.
+## Measures the run time of both calls.
 func measure(model: LineDistanceModel) -> void:
 	_nanoseconds["from_p"] = CallTimer.nanoseconds(model.distance)
 	_nanoseconds["from_start"] = CallTimer.nanoseconds(model.distance_from_start)
 
 
-## Shows distances and errors for [param model] with the run times measured last.
+## Shows both distances of [param model], their errors, and the run times that were measured last.
 func show_model(model: LineDistanceModel) -> void:
-	_show_way("from_p", tr("from p"), model.distance(), model)
-	_show_way("from_start", tr("from the start"), model.distance_from_start(), model)
+	_show_call("from_p", tr("from p"), model.distance(), model)
+	_show_call("from_start", tr("from the start"), model.distance_from_start(), model)
 
 
-func _show_way(key: String, title: String, value: float, model: LineDistanceModel) -> void:
+func _show_call(key: String, title: String, value: float, model: LineDistanceModel) -> void:
 	var error := ExactLineDistance.error_of(value, model.ball.position, model.line)
 	_readout.show_result(key, title, value, error, _nanoseconds[key])

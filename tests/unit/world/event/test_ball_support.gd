@@ -59,7 +59,7 @@ func test_a_slow_ball_rolls_over_the_end_of_a_segment() -> void:
 		if world.position_x(0) > 0.0 and world.is_resting(0):
 			distances.append(absf(world.position(0).length() - 10.0))
 	assert_gt(distances.size(), 100)
-	assert_all_at_most(distances, BallRolls.OFF_CIRCLE)
+	assert_all_at_most(distances, CapRolls.OFF_CIRCLE)
 	assert_all_at_most(energies, 1e-6)
 	# It leaves where it is no longer pressed on the end: cos a = (v0^2 / (g R) + 2) / 3.
 	var leave := world.events[-1]

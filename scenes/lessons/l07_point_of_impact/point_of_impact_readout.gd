@@ -1,4 +1,4 @@
-class_name PointOfImpactResults
+class_name PointOfImpactReadout
 extends RefCounted
 ## Shows in the readout where point of impact and position reset are, and how far each is from the
 ## exact contact on the path.
@@ -12,21 +12,21 @@ func _init(readout: Readout) -> void:
 	_readout = readout
 
 
-## Measures the run times of both ways. Between drags only, which it would slow down.
+## Measures the run time of both calls.
 func measure(model: PointOfImpactModel) -> void:
 	_nanoseconds["impact"] = CallTimer.nanoseconds(model.impact)
 	_nanoseconds["reset"] = CallTimer.nanoseconds(model.reset_position)
 
 
-## Shows places and errors for [param model] with the run times measured last.
+## Shows both places of [param model], their errors, and the run times that were measured last.
 func show_model(model: PointOfImpactModel) -> void:
 	var impact := model.impact()
-	_show_way("impact", tr("POI"), impact.position if impact.hit else null, model)
-	_show_way("reset", tr("reset"), model.reset_position() if model.is_reset() else null, model)
+	_show_call("impact", tr("POI"), impact.position if impact.hit else null, model)
+	_show_call("reset", tr("reset"), model.reset_position() if model.is_reset() else null, model)
 
 
 # A row with the place, which is null where there is none.
-func _show_way(key: String, title: String, place: Vec2, model: PointOfImpactModel) -> void:
+func _show_call(key: String, title: String, place: Vec2, model: PointOfImpactModel) -> void:
 	var time := tr("%s ns") % NumberText.short(_nanoseconds[key], 2)
 	if place == null:
 		_readout.show_texts(key, [title, tr("none"), "", time])

@@ -1,0 +1,307 @@
+class_name BallSupport
+extends EventForecast
+## How a ball comes to rest under gravity, and how it moves while a surface supports it: it lies
+## still, slides along a line, goes on over a seam between two lines, or slides over a cap. There is
+## no friction.
+
+## A ball whose remaining bounces on a line would all be over within this time, in seconds, lies on
+## the line from the end of the last one: 2 v / (g (1 - C)) after the bounce that it leaves with the
+## normal speed v. That is the sum of all remaining bounces, of which there are infinitely many.
+const REST_TIME := 1e-9
+## A ball that would be in the air for less than this time, in seconds, lies, too, whatever C is.
+const REST_HOP := 1e-12
+## A ball that cannot rise by more than this any more, in pixels, lies still where two surfaces hold
+## it: there its bounces off both mix, and no formula gives their end.
+const REST_HEIGHT := 1e-9
+## The second surface holds a ball that is this near to it, in pixels.
+const REST_GAP := 1e-6
+## Contacts whose normals differ by less than this, in radians, count as one.
+const LEAST_ANGLE := 1e-6
+## A ball slides on from one segment to the next if they are this near to each other, in pixels, and
+## this level, in radians.
+const SEAM := 1e-9
+## A ball whose bounces on a cap are no higher than this, in pixels, slides over it.
+const LOWEST_HOP := 1e-9
+
+
+# After a bounce on a line with this speed along the normal, pressed on it by this part of gravity.
+func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> void:
+	if _bounciness < 1.0 and _is_held_by_two(index):
+		_lie_still(index, surface)
+	elif pressure > 0.0:
+		var least := maxf(REST_HOP, REST_TIME * (1.0 - _bounciness))
+		if speed <= 0.5 * pressure * least:
+			_rest(index, surface, speed, pressure)
+
+
+# Whether a ball that can hardly rise touches a second line or cap, so that both together hold it.
+# The normal is that of the first one.
+func _is_held_by_two(index: int) -> bool:
+	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
+	if _squared_speed(index) > 2.0 * gravity * REST_HEIGHT:
+		return false
+	if _has_walls:
+		for wall: int in [LEFT_WALL, RIGHT_WALL, TOP_WALL, BOTTOM_WALL]:
+			if _holds_at(index, _nearest_on_wall(index, wall)):
+				return true
+	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
+		if _holds_at(index, _segments.nearest_point(place, _x[index], _y[index])):
+			return true
+	return false
+
+
+# Whether the ball touches this point, and the two normals enclose the direction against gravity.
+func _holds_at(index: int, point: Vec2) -> bool:
+	var dx := _x[index] - point.x
+	var dy := _y[index] - point.y
+	var distance := sqrt(dx * dx + dy * dy)
+	if distance > _radius[index] + REST_GAP or distance == 0.0:
+		return false
+	# The direction against gravity is one_share of the first normal and other_share of the second.
+	var area := _normal_x * dy - _normal_y * dx
+	var one_share := (_gravity_y * dx - _gravity_x * dy) * area
+	var other_share := (_normal_y * _gravity_x - _normal_x * _gravity_y) * area
+	return absf(area) > LEAST_ANGLE * distance and one_share > 0.0 and other_share > 0.0
+
+
+func _nearest_on_wall(index: int, wall: int) -> Vec2:
+	match wall:
+		LEFT_WALL:
+			return Vec2.new(_left_x, _y[index])
+		RIGHT_WALL:
+			return Vec2.new(_right_x, _y[index])
+		TOP_WALL:
+			return Vec2.new(_x[index], _top_y)
+	return Vec2.new(_x[index], _bottom_y)
+
+
+# The ball stays where it is until something else touches it.
+func _lie_still(index: int, surface: int) -> void:
+	var event := _begin_event(index)
+	_support[index] = surface
+	_left_surface[index] = NOTHING
+	_velocity_x[index] = 0.0
+	_velocity_y[index] = 0.0
+	_pull_x[index] = 0.0
+	_pull_y[index] = 0.0
+	_end_event(index, surface, event, WorldEvent.Kind.REST)
+
+
+# Adds up all remaining bounces; then the ball lies or slides on the surface.
+func _rest(index: int, surface: int, speed: float, pressure: float) -> void:
+	var seconds := 0.0
+	if _bounciness < 1.0:
+		seconds = 2.0 * speed / (pressure * (1.0 - _bounciness))
+	var event := _begin_event(index)
+	_put_on(index, surface)
+	_x[index] += (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
+	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+	_velocity_x[index] += _pull_x[index] * seconds
+	_velocity_y[index] += _pull_y[index] * seconds
+	_start[index] = time + seconds
+	_start_low[index] = _time_low
+	if event:
+		event.time = time + seconds
+	_end_event(index, surface, event, WorldEvent.Kind.REST)
+
+
+# From now on the ball slides along a wall or the line of a segment, whose normal must be known: its
+# velocity and its acceleration have no part along the normal.
+func _put_on(index: int, surface: int) -> void:
+	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
+	var pressure := _gravity_x * _normal_x + _gravity_y * _normal_y
+	_velocity_x[index] -= speed * _normal_x
+	_velocity_y[index] -= speed * _normal_y
+	_pull_x[index] = _gravity_x - pressure * _normal_x
+	_pull_y[index] = _gravity_y - pressure * _normal_y
+	_support[index] = surface
+	_rolled_end[index] = Impact.Feature.LINE
+	_left_surface[index] = NOTHING
+	if surface >= 0:
+		var distance := absf(_segments.signed_distance(surface, _x[index], _y[index]))
+		_x[index] += (_radius[index] - distance) * _normal_x
+		_y[index] += (_radius[index] - distance) * _normal_y
+	else:
+		_move_to_wall(index, surface)
+
+
+# Takes away what rounding left between a ball and the wall that it touches.
+func _move_to_wall(index: int, wall: int) -> void:
+	match wall:
+		LEFT_WALL:
+			_x[index] = _left_x + _radius[index]
+		RIGHT_WALL:
+			_x[index] = _right_x - _radius[index]
+		TOP_WALL:
+			_y[index] = _top_y + _radius[index]
+		BOTTOM_WALL:
+			_y[index] = _bottom_y - _radius[index]
+
+
+# Nothing supports the ball, and gravity alone pulls it.
+func _set_free(index: int) -> void:
+	_support[index] = NOTHING
+	_rolled_end[index] = Impact.Feature.LINE
+	_left_surface[index] = NOTHING
+	_pull_x[index] = _gravity_x
+	_pull_y[index] = _gravity_y
+
+
+# The line under a sliding ball ends: another segment goes on there, or the ball slides over the cap
+# or flies off.
+func _slide_off(index: int) -> void:
+	_restart(index)
+	var old := _support[index]
+	_find_normal(index, old)
+	_set_free(index)
+	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
+		if place != old and _goes_on(index, place):
+			_put_on(index, place)
+			return
+	_find_normal(index, old)
+	_end_event(index, old, _begin_event(index), WorldEvent.Kind.LEAVE)
+	_roll(index, old, _touched_feature[index] as Impact.Feature)
+
+
+# Whether the ball touches the line of this segment, too, moves along it and is pressed on it.
+func _goes_on(index: int, place: int) -> bool:
+	var distance := absf(_segments.signed_distance(place, _x[index], _y[index]))
+	if absf(distance - _radius[index]) > SEAM:
+		return false
+	var slack := SEAM / _segments.length(place)
+	var velocity_x := _velocity_x[index]
+	var velocity_y := _velocity_y[index]
+	# The segment must lie ahead: the ball comes from one of its ends.
+	var ahead := SEAM * signf(velocity_x * velocity_x + velocity_y * velocity_y)
+	var share := _segments.share_of(
+		place, _x[index] + ahead * velocity_x, _y[index] + ahead * velocity_y
+	)
+	if share < -slack or share > 1.0 + slack:
+		return false
+	_find_normal(index, place)
+	if _gravity_x * _normal_x + _gravity_y * _normal_y >= 0.0:
+		return false
+	var across := velocity_x * _normal_x + velocity_y * _normal_y
+	return absf(across) <= SEAM * sqrt(_squared_speed(index))
+
+
+# Whether bounces that leave a cap with this speed along the normal, which must be known, are over.
+func _is_hop_over(index: int, speed: float, pressure: float) -> bool:
+	var pressed := pressure - _outward_pull(index)
+	return pressed > 0.0 and speed * speed <= 2.0 * pressed * LOWEST_HOP
+
+
+# The centrifugal acceleration of a ball that goes round a point, in px/s².
+func _outward_pull(index: int) -> float:
+	var around := _velocity_x[index] * _normal_y - _velocity_y[index] * _normal_x
+	return around * around / _radius[index]
+
+
+# From now on the ball slides over a cap, if gravity holds it there; else it flies.
+func _roll(index: int, place: int, feature: Impact.Feature) -> void:
+	var slide := CapSlide.new()
+	var x := _segments.end_x(place, feature)
+	var y := _segments.end_y(place, feature)
+	_set_free(index)
+	var problem := slide.start(
+		x, y, _x[index], _y[index], _velocity_x[index], _velocity_y[index], _gravity_x, _gravity_y
+	)
+	if problem or slide.end_time == 0.0:
+		_never_come_back(index, place)
+		return
+	_support[index] = place
+	_rolled_end[index] = feature
+	var normal_x := _segments.normal_x(place)
+	_rolls.begin(index, slide, normal_x, _segments.normal_y(place), time, _time_low)
+	_begin_piece(index, 0.0)
+
+
+# The next piece of the way over a cap, this many seconds after its beginning.
+func _begin_piece(index: int, seconds: float) -> void:
+	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
+	_rolls.begin_piece(index, seconds, gravity, _radius[index])
+	_take_place_on_cap(index)
+	_pull_x[index] = _rolls.pull_x
+	_pull_y[index] = _rolls.pull_y
+	_piece[index] = _rolls.piece_seconds
+
+
+func _take_place_on_cap(index: int) -> void:
+	_x[index] = _rolls.x
+	_y[index] = _rolls.y
+	_velocity_x[index] = _rolls.velocity_x
+	_velocity_y[index] = _rolls.velocity_y
+
+
+# A piece is over: the next one begins, or the way over the cap has come to its end.
+func _follow_cap(index: int) -> void:
+	_restart(index)
+	var seconds := _rolls.seconds_since(index, time, _time_low)
+	var duration := _rolls.duration(index)
+	if duration - seconds > CapRolls.LINE_TIME:
+		_begin_piece(index, seconds)
+		return
+	_rolls.move_to(index, duration)
+	_take_place_on_cap(index)
+	_leave_cap(index, _support[index], _rolled_end[index] as Impact.Feature)
+
+
+# At the end of the way over a cap the ball slides on along the line, or back over the cap, or
+# flies.
+func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
+	_set_free(index)
+	if _is_over_line(index, place):
+		_put_on(index, place)
+	elif _rolls.leads_back(index):
+		_roll(index, place, feature)
+	else:
+		_find_cap_normal(index, place, feature)
+		_end_event(index, place, _begin_event(index), WorldEvent.Kind.LEAVE)
+		_never_come_back(index, place)
+
+
+# Whether the ball is over the line of the segment, and gravity presses it there; finds the normal.
+func _is_over_line(index: int, place: int) -> bool:
+	var slack := REST_GAP / _segments.length(place)
+	var share := _segments.share_of(place, _x[index], _y[index])
+	_find_normal(index, place)
+	var is_pressed := _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0
+	return is_pressed and share >= -slack and share <= 1.0 + slack
+
+
+# The unit normal of a cap, towards the ball.
+func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
+	var dx := _x[index] - _segments.end_x(place, feature)
+	var dy := _y[index] - _segments.end_y(place, feature)
+	var distance := sqrt(dx * dx + dy * dy)
+	_normal_x = dx / distance if distance > 0.0 else 0.0
+	_normal_y = dy / distance if distance > 0.0 else 0.0
+
+
+# A ball that flies off a cap falls past the segment.
+func _never_come_back(index: int, place: int) -> void:
+	_left_surface[index] = place
+	_left_speed[index] = INF
+
+
+# Call it before an event changes the ball; null where events are not kept.
+func _begin_event(index: int) -> WorldEvent:
+	if not keeps_events:
+		return null
+	return _log.begin(time, index, Vec2.new(_velocity_x[index], _velocity_y[index]))
+
+
+# Call it after the event has changed the ball. `other` is a surface, or a ball for Kind.BALL.
+func _end_event(
+	index: int, other: int, event: WorldEvent, kind: WorldEvent.Kind = WorldEvent.Kind.SEGMENT
+) -> void:
+	if not event:
+		return
+	if kind != WorldEvent.Kind.BALL and other < NOTHING:
+		other -= LEFT_WALL
+		if kind == WorldEvent.Kind.SEGMENT:
+			kind = WorldEvent.Kind.WALL
+	var centre := Vec2.new(_x[index], _y[index])
+	var after := Vec2.new(_velocity_x[index], _velocity_y[index])
+	var normal := Vec2.new(_normal_x, _normal_y)
+	_log.finish(event, kind, other, normal, Ball.new(centre, _radius[index], after))

@@ -1,0 +1,120 @@
+class_name CapRolls
+extends RefCounted
+## The ways of balls that gravity holds on the round end of a segment, its cap: each slides over it
+## without friction until it flies off, comes onto the line, or is back where it started.
+##
+## [CapSlide] tells exactly where such a ball is at any time, on a circle that no constant
+## acceleration follows. An [EventWorld] searches for impacts only along flights under a constant
+## acceleration. So the way is cut into short pieces: each is a flight between two exact places, and
+## stays so near to the circle that nobody sees the difference.
+##
+## The methods that move a ball leave its place, velocity and acceleration in the fields below.
+
+## A piece is nowhere farther off the circle than this, in pixels.
+const OFF_CIRCLE := 1e-8
+## A ball that comes onto the line, or to the end of its way, within this time is there, in seconds.
+const LINE_TIME := 1e-9
+
+## x of the ball's centre, in pixels.
+var x := 0.0
+## y of the ball's centre.
+var y := 0.0
+## x of its velocity, in px/s.
+var velocity_x := 0.0
+## y of its velocity.
+var velocity_y := 0.0
+## x of the constant acceleration of the piece, in px/s².
+var pull_x := 0.0
+## y of the acceleration.
+var pull_y := 0.0
+## How long the piece takes, in seconds.
+var piece_seconds := 0.0
+
+## The way of each ball over a cap, null for one that was on none so far. A way never changes, so
+## copies of this list may share it.
+var slides: Array[CapSlide] = []
+
+# When each way began, in seconds of the world, as the sum of two numbers.
+var _start: PackedFloat64Array = []
+var _start_low: PackedFloat64Array = []
+# Seconds from then until the ball comes onto the line; INF if its way ends before.
+var _line_time: PackedFloat64Array = []
+
+
+## Makes room for this many balls.
+func resize(count: int) -> void:
+	slides.resize(count)
+	for numbers: PackedFloat64Array in arrays():
+		numbers.resize(count)
+
+
+## All arrays that change while balls move, to be kept and put back, beside [member slides].
+func arrays() -> Array[PackedFloat64Array]:
+	return [_start, _start_low, _line_time]
+
+
+## Begins the way [param slide] of a ball at this time of the world. The normal is the one of the
+## segment's line, on either side.
+func begin(
+	ball: int, slide: CapSlide, normal_x: float, normal_y: float, time: float, time_low: float
+) -> void:
+	slides[ball] = slide
+	_start[ball] = time
+	_start_low[ball] = time_low
+	var on_one_side := _time_to_line(slide, -normal_x, -normal_y)
+	_line_time[ball] = minf(on_one_side, _time_to_line(slide, normal_x, normal_y))
+
+
+## Seconds since a ball began its way, at this time of the world.
+func seconds_since(ball: int, time: float, time_low: float) -> float:
+	return (time - _start[ball]) + (time_low - _start_low[ball])
+
+
+## Seconds from the beginning of a ball's way to its end, where it flies off, comes onto the line or
+## is back.
+func duration(ball: int) -> float:
+	return minf(slides[ball].end_time, _line_time[ball])
+
+
+## Whether the way of a ball leads back to where it began.
+func leads_back(ball: int) -> bool:
+	return slides[ball].ending == CapSlide.Ending.RETURNS
+
+
+## Moves a ball to where it is this many seconds after it began its way.
+func move_to(ball: int, seconds: float) -> void:
+	var slide := slides[ball]
+	slide.move_to(seconds)
+	x = slide.position_x
+	y = slide.position_y
+	velocity_x = slide.velocity_x
+	velocity_y = slide.velocity_y
+
+
+## Begins the piece that starts this many seconds after the ball began its way; the strength of
+## gravity in px/s².
+func begin_piece(ball: int, seconds: float, gravity: float, radius: float) -> void:
+	move_to(ball, seconds)
+	piece_seconds = minf(_longest_piece(gravity, radius), duration(ball) - seconds)
+	var slide := slides[ball]
+	slide.move_to(seconds + piece_seconds)
+	pull_x = 2.0 * ((slide.position_x - x) / piece_seconds - velocity_x) / piece_seconds
+	pull_y = 2.0 * ((slide.position_y - y) / piece_seconds - velocity_y) / piece_seconds
+
+
+# When the centre is over the line on the side of this normal; INF where it only starts from there.
+func _time_to_line(slide: CapSlide, normal_x: float, normal_y: float) -> float:
+	var seconds := slide.time_to_direction(normal_x, normal_y)
+	return seconds if seconds > LINE_TIME else INF
+
+
+# A flight with the same start, velocity and end as the slide is off it by jerk t³ / 40 at most.
+# The jerk grows with the speed, so the one at the end of the piece counts.
+func _longest_piece(gravity: float, radius: float) -> float:
+	var speed := sqrt(velocity_x * velocity_x + velocity_y * velocity_y)
+	var seconds := 0.0
+	for estimate in 2:
+		var turning := (speed + gravity * seconds) / radius
+		var jerk := (3.0 * gravity + radius * turning * turning) * turning
+		seconds = pow(40.0 * OFF_CIRCLE / maxf(jerk, gravity * OFF_CIRCLE), 1.0 / 3.0)
+	return seconds

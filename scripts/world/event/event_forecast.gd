@@ -1,0 +1,439 @@
+class_name EventForecast
+extends EventState
+## What comes next for each ball: its touch of a wall or a segment, or an impact with another ball,
+## whichever is earlier. It is worked out once, when a flight begins, and stays true until something
+## changes.
+##
+## Each ball has one event at a time (Lubachevsky, How to Simulate Billiards and Similar Systems,
+## 1991). Two balls that are to meet share one. When a ball finds an earlier partner, it may take it
+## away from a third ball; that one is told to look again at the time of the impact that it has
+## lost. A ball that will do something else before a possible impact is no partner: it looks again
+## when it has done so, and finds the impact then.
+
+# Shorter by some last places.
+const _JUST_CLEAR := 1.0 - 1.0 / 2.0 ** 46
+
+
+# Works out what comes next for a ball whose flight begins now.
+func _forecast(index: int) -> void:
+	_forecast_touch(index)
+	if _balls_there > 1:
+		_ask(index)
+		if _uses_cells:
+			_forecast_crossing(index)
+	_choose_event(index)
+
+
+# When the asker comes into another cell.
+func _forecast_crossing(index: int) -> void:
+	_cross_time[index] = (
+		time
+		+ _cells.time_to_leave(
+			index,
+			_asker_x,
+			_asker_y,
+			_asker_velocity_x,
+			_asker_velocity_y,
+			_asker_pull_x,
+			_asker_pull_y
+		)
+	)
+
+
+# A ball comes into another cell: three of the nine cells around it are new, and only with their
+# balls can it have an impact before its event.
+func _cross(index: int) -> void:
+	var new_neighbors := _cells.new_neighbors[_cells.border[index] + 2]
+	_cells.cross(index)
+	_ask(index)
+	_forecast_crossing(index)
+	_partner_seconds = (_event_time[index] - time) + (_event_low[index] - _time_low)
+	_try_cells(9 * _cells.cell[index], new_neighbors)
+	if _partner >= 0:
+		_release_partner(index)
+		_meet_partner(index)
+	elif _cross_time[index] < _event_time[index]:
+		_queue.change(index, _cross_time[index], 0.0)
+	else:
+		_queue.change(index, _event_time[index], _event_low[index])
+
+
+# Looks for a partner again, while the flight goes on.
+func _forecast_event(index: int) -> void:
+	_ask(index)
+	_choose_event(index)
+
+
+# Chooses the next event of the asker. Where that is an impact with another ball, whoever was to
+# meet that ball loses it.
+func _choose_event(index: int) -> void:
+	if _event_kind[index] == MEET:
+		_release_partner(index)
+	if _balls_there > 1:
+		_partner_seconds = (_touch_time[index] - time) + (_touch_low[index] - _time_low)
+		_try_all_partners(index)
+		if _partner >= 0:
+			_meet_partner(index)
+			return
+	_set_event(index, _touch_time[index], _touch_low[index], _touch_kind[index], _touched[index])
+
+
+# Gives the asker and the partner that it has found their common event. The time is a sum of two
+# numbers (two-sum), as in _note_touch.
+func _meet_partner(index: int) -> void:
+	var sum := time + _partner_seconds
+	var part := sum - time
+	var low := (time - (sum - part)) + (_partner_seconds - part) + _time_low
+	var event_time := sum + low
+	low -= event_time - sum
+	_release_partner(_partner)
+	_set_event(_partner, event_time, low, MEET, index)
+	_set_event(index, event_time, low, MEET, _partner)
+
+
+func _set_event(index: int, event_time: float, low: float, kind: int, with: int) -> void:
+	_event_time[index] = event_time
+	_event_low[index] = low
+	_event_kind[index] = kind
+	_event_with[index] = with
+	if _uses_cells and _cross_time[index] < event_time:
+		event_time = _cross_time[index]
+		low = 0.0
+	_queue.change(index, event_time, low)
+
+
+# An impact with this ball is off: the other one looks again when it would have happened.
+func _release_partner(index: int) -> void:
+	if _event_kind[index] == MEET:
+		_event_kind[_event_with[index]] = LOOK_AGAIN
+
+
+# Makes a ball the asker, the one that looks for a partner, and notes where it is now.
+func _ask(index: int) -> void:
+	var flown := (time - _start[index]) + (_time_low - _start_low[index])
+	_asker = index
+	_asker_pull_x = _pull_x[index]
+	_asker_pull_y = _pull_y[index]
+	_asker_velocity_x = _velocity_x[index] + _asker_pull_x * flown
+	_asker_velocity_y = _velocity_y[index] + _asker_pull_y * flown
+	_asker_x = _x[index] + 0.5 * (_velocity_x[index] + _asker_velocity_x) * flown
+	_asker_y = _y[index] + 0.5 * (_velocity_y[index] + _asker_velocity_y) * flown
+	_asker_radius = _radius[index]
+	_partner = NOTHING
+
+
+func _try_all_partners(index: int) -> void:
+	if _uses_cells:
+		_try_cells(9 * _cells.cell[index], _cells.all_neighbors)
+		return
+	for other in _x.size():
+		if _is_there[other] == 1:
+			_try_partner(other)
+
+
+# Tries all balls of these cells. The steps of _try_partner for balls that nothing pulls are written
+# out: a world of many balls spends most of its time here, and takes 1.3 times as long without. A
+# test compares both to the last bit.
+func _try_cells(around: int, cells: PackedInt32Array) -> void:
+	var first := _cells.first
+	var next := _cells.next
+	var neighbors := _cells.neighbors
+	var is_pulled := _gravity_x != 0.0 or _gravity_y != 0.0
+	for place in cells:
+		var other := first[neighbors[around + place]]
+		while other >= 0:
+			if is_pulled:
+				_try_partner(other)
+				other = next[other]
+				continue
+			var flown := (time - _start[other]) + (_time_low - _start_low[other])
+			var velocity_x := _velocity_x[other]
+			var velocity_y := _velocity_y[other]
+			var dx := _asker_x - _x[other] - velocity_x * flown
+			var dy := _asker_y - _y[other] - velocity_y * flown
+			velocity_x = _asker_velocity_x - velocity_x
+			velocity_y = _asker_velocity_y - velocity_y
+			var approach := -(dx * velocity_x + dy * velocity_y)
+			if approach > 0.0:
+				var reach := _asker_radius + _radius[other]
+				var excess := dx * dx + dy * dy - reach * reach
+				if excess <= 0.0:
+					_take_partner(other, 0.0)
+				elif excess <= 2.0 * approach * _partner_seconds:
+					var offset := dx * velocity_y - dy * velocity_x
+					var speed_squared := velocity_x * velocity_x + velocity_y * velocity_y
+					var discriminant := reach * reach * speed_squared - offset * offset
+					if discriminant > 0.0:
+						_take_partner(other, excess / (approach + sqrt(discriminant)))
+			other = next[other]
+
+
+# Takes the other ball as partner if the asker meets it before all that it has found, by the formula
+# of StraightImpactFinder.
+func _try_partner(other: int) -> void:
+	var flown := (time - _start[other]) + (_time_low - _start_low[other])
+	var pulled_x := _pull_x[other] * flown
+	var pulled_y := _pull_y[other] * flown
+	var dx := _asker_x - _x[other] - (_velocity_x[other] + 0.5 * pulled_x) * flown
+	var dy := _asker_y - _y[other] - (_velocity_y[other] + 0.5 * pulled_y) * flown
+	var velocity_x := _asker_velocity_x - (_velocity_x[other] + pulled_x)
+	var velocity_y := _asker_velocity_y - (_velocity_y[other] + pulled_y)
+	var reach := _asker_radius + _radius[other]
+	var pull_x := _asker_pull_x - _pull_x[other]
+	var pull_y := _asker_pull_y - _pull_y[other]
+	if pull_x != 0.0 or pull_y != 0.0:
+		if other != _asker:
+			if _meets_under_pull(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach):
+				_take_partner(other, _accelerated.time)
+		return
+	var approach := -(dx * velocity_x + dy * velocity_y)
+	if not approach > 0.0:
+		return
+	var excess := dx * dx + dy * dy - reach * reach
+	if excess <= 0.0:
+		_take_partner(other, 0.0)
+		return
+	var offset := dx * velocity_y - dy * velocity_x
+	var speed_squared := velocity_x * velocity_x + velocity_y * velocity_y
+	var discriminant := reach * reach * speed_squared - offset * offset
+	if discriminant > 0.0:
+		_take_partner(other, excess / (approach + sqrt(discriminant)))
+
+
+func _take_partner(other: int, seconds: float) -> void:
+	if seconds < _partner_seconds and time + seconds < _event_time[other]:
+		_partner_seconds = seconds
+		_partner = other
+
+
+# One of the two lies or slides on something, so one is pulled as seen from the other.
+func _meets_under_pull(
+	dx: float,
+	dy: float,
+	velocity_x: float,
+	velocity_y: float,
+	pull_x: float,
+	pull_y: float,
+	reach: float
+) -> bool:
+	var distance := sqrt(dx * dx + dy * dy)
+	# The same rule as for a ball that lies on a cap: SegmentScan._lies_on.
+	if absf(distance - reach) <= SegmentScan.TOUCH:
+		var away := (velocity_x * dx + velocity_y * dy) / distance
+		var around := (velocity_x * dy - velocity_y * dx) / distance
+		var inwards := -(pull_x * dx + pull_y * dy) / distance - around * around / distance
+		if inwards > 0.0 and away * away <= 2.0 * inwards * SegmentScan.TOUCH:
+			_accelerated.time = 2.0 * maxf(away, 0.0) / inwards
+			return true
+		if away > 0.0:
+			# They touch and part: taken as just clear of each other, so that rounding cannot find
+			# this touch again.
+			reach = distance * _JUST_CLEAR
+	_accelerated.set_flight(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach)
+	return _accelerated.with_point(0.0, 0.0, _partner_seconds)
+
+
+# The next touch of a wall or a segment, as if there were no other balls.
+func _forecast_touch(index: int) -> void:
+	if _pull_x[index] != 0.0 or _pull_y[index] != 0.0 or _support[index] >= 0:
+		_forecast_accelerated_touch(index)
+		return
+	var x := _x[index]
+	var y := _y[index]
+	var velocity_x := _velocity_x[index]
+	var velocity_y := _velocity_y[index]
+	var radius := _radius[index]
+	var seconds := INF
+	var surface := NOTHING
+	if _has_walls:
+		if velocity_x > 0.0:
+			seconds = maxf((_right_x - radius - x) / velocity_x, 0.0)
+			surface = RIGHT_WALL
+		elif velocity_x < 0.0:
+			seconds = maxf((_left_x + radius - x) / velocity_x, 0.0)
+			surface = LEFT_WALL
+		if velocity_y > 0.0:
+			var to_wall := maxf((_bottom_y - radius - y) / velocity_y, 0.0)
+			if to_wall < seconds:
+				seconds = to_wall
+				surface = BOTTOM_WALL
+		elif velocity_y < 0.0:
+			var to_wall := maxf((_top_y + radius - y) / velocity_y, 0.0)
+			if to_wall < seconds:
+				seconds = to_wall
+				surface = TOP_WALL
+	if _segments.size() > 0:
+		# A segment is convex: in straight flight a ball never comes back to the one it has left.
+		var left := _left_surface[index]
+		if _segments.first_impact(x, y, velocity_x, velocity_y, radius, seconds, left):
+			seconds = _segments.time
+			surface = _segments.index
+			_touched_feature[index] = _segments.feature
+	_note_touch(index, seconds, surface, TOUCH)
+
+
+# Stores the touch that comes after this many seconds of flight. Its time is a sum of two numbers
+# (two-sum), the second one smaller than the last place of the first, so that times can be compared.
+func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
+	var start := _start[index]
+	var sum := start + seconds
+	_touch_time[index] = sum
+	_touch_low[index] = 0.0
+	if seconds < INF:
+		var part := sum - start
+		var low := (start - (sum - part)) + (seconds - part) + _start_low[index]
+		_touch_time[index] = sum + low
+		_touch_low[index] = low - (sum + low - sum)
+	_touch_kind[index] = kind
+	_touched[index] = surface
+
+
+# The next touch under a constant pull. When the ball comes back to the surface that it has just
+# left follows from its normal speed alone; the other surfaces are searched.
+func _forecast_accelerated_touch(index: int) -> void:
+	_seconds = INF
+	_surface = NOTHING
+	_kind = TOUCH
+	if _support[index] >= 0:
+		if _rolled_end[index] == Impact.Feature.LINE:
+			_forecast_slide(index, _support[index])
+		else:
+			_take(_piece[index], _support[index], FOLLOW_CAP)
+	if _has_walls:
+		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
+			_forecast_wall(index, wall)
+	if _segments.size() > 0:
+		var skipped := _support[index]
+		if _left_surface[index] >= 0:
+			skipped = _left_surface[index]
+			if _left_speed[index] < INF:
+				_forecast_return(index, skipped)
+		if _segments.first_accelerated_impact(
+			_x[index],
+			_y[index],
+			_velocity_x[index],
+			_velocity_y[index],
+			_pull_x[index],
+			_pull_y[index],
+			_radius[index],
+			_seconds,
+			skipped
+		):
+			_take(_segments.time, _segments.index, TOUCH)
+			_touched_feature[index] = _segments.feature
+	_note_touch(index, _seconds, _surface, _kind)
+
+
+func _take(seconds: float, surface: int, kind: int) -> void:
+	_seconds = seconds
+	_surface = surface
+	_kind = kind
+
+
+func _forecast_wall(index: int, wall: int) -> void:
+	var radius := _radius[index]
+	var height := 0.0
+	var speed := _velocity_x[index]
+	var pull := _pull_x[index]
+	match wall:
+		LEFT_WALL:
+			height = _x[index] - radius - _left_x
+		RIGHT_WALL:
+			height = _right_x - radius - _x[index]
+		TOP_WALL:
+			height = _y[index] - radius - _top_y
+		BOTTOM_WALL:
+			height = _bottom_y - radius - _y[index]
+	if wall == TOP_WALL or wall == BOTTOM_WALL:
+		speed = _velocity_y[index]
+		pull = _pull_y[index]
+	if wall == RIGHT_WALL or wall == BOTTOM_WALL:
+		speed = -speed
+		pull = -pull
+	if wall == _support[index]:
+		return
+	if wall == _left_surface[index]:
+		height = 0.0
+		speed = _left_speed[index]
+	var seconds := FreeFlight.time_to_fall(height, speed, pull)
+	if seconds < _seconds:
+		_take(seconds, wall, TOUCH)
+
+
+# Back to the segment that the ball has left: on its line after 2 v / g, or on one of its caps.
+func _forecast_return(index: int, place: int) -> void:
+	_find_normal(index, place)
+	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
+	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
+	if seconds < _seconds:
+		var share := _segments.share_of(
+			place,
+			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds,
+			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+		)
+		if share >= 0.0 and share <= 1.0:
+			_touched_feature[index] = Impact.Feature.LINE
+			_take(seconds, place, TOUCH)
+			return
+	_forecast_ends(index, place)
+
+
+# The caps of a segment, without its line.
+func _forecast_ends(index: int, place: int) -> void:
+	_accelerated.set_flight(
+		_x[index],
+		_y[index],
+		_velocity_x[index],
+		_velocity_y[index],
+		_pull_x[index],
+		_pull_y[index],
+		_radius[index]
+	)
+	for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+		var x := _segments.end_x(place, feature)
+		var y := _segments.end_y(place, feature)
+		if _accelerated.with_point(x, y, _seconds) and _accelerated.time < _seconds:
+			_touched_feature[index] = feature
+			_take(_accelerated.time, place, TOUCH)
+
+
+# When a ball that slides on a segment comes to the end of its line.
+func _forecast_slide(index: int, place: int) -> void:
+	var length := _segments.length(place)
+	var along_x := _segments.normal_y(place)
+	var along_y := -_segments.normal_x(place)
+	var from_start := _segments.share_of(place, _x[index], _y[index]) * length
+	var speed := _velocity_x[index] * along_x + _velocity_y[index] * along_y
+	var pull := _pull_x[index] * along_x + _pull_y[index] * along_y
+	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), speed, pull)
+	var to_end := FreeFlight.time_to_fall(maxf(length - from_start, 0.0), -speed, -pull)
+	if minf(to_start, to_end) < _seconds:
+		_touched_feature[index] = (
+			Impact.Feature.START if to_start < to_end else Impact.Feature.END
+		)
+		_take(minf(to_start, to_end), place, SLIDE_OFF)
+
+
+# The unit normal of a wall or of the line of a segment, on the side where the ball is.
+func _find_normal(index: int, surface: int) -> void:
+	_normal_x = 0.0
+	_normal_y = 0.0
+	match surface:
+		LEFT_WALL:
+			_normal_x = 1.0
+		RIGHT_WALL:
+			_normal_x = -1.0
+		TOP_WALL:
+			_normal_y = 1.0
+		BOTTOM_WALL:
+			_normal_y = -1.0
+		_:
+			_normal_x = _segments.normal_x(surface)
+			_normal_y = _segments.normal_y(surface)
+			var side := _segments.signed_distance(surface, _x[index], _y[index])
+			if side == 0.0:
+				# The centre is on the line itself: the side is the one that it comes from.
+				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
+			if side < 0.0:
+				_normal_x = -_normal_x
+				_normal_y = -_normal_y

@@ -1,0 +1,345 @@
+class_name EventState
+extends RefCounted
+## All that an [EventWorld] knows: its balls and their flights, what they fly among, what comes next
+## for each of them, and what is kept between events. Every field of the world is declared here,
+## with its unit and with the class that writes it.
+##
+## A ball in flight is known by where and when its flight began: place, velocity and a constant
+## acceleration. Nothing is moved while time passes; where a ball is now is worked out when somebody
+## asks. The numbers of the balls are in packed arrays, with the ball's place as the index, because
+## the loops of the world are fast only so. They are fields of the world itself and not of an object
+## beside it: a short method takes 136 ns with its own fields and 241 ns with another object's.
+##
+## A time is the sum of two doubles; the second one is smaller than the last place of the first.
+## After 100 s and thousands of impacts a single double would be off by some 1e-12 s, which is
+## 1e-8 px for a ball of 30 000 px/s. A field `..._low` holds the second one.
+
+## The surfaces that are no segments; a segment is known by its place, 0 or more.
+enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
+
+## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
+## again, it slides to the end of the segment under it, or a piece of its way over a cap is over.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
+
+## What is touched where nothing is touched: no surface, no ball.
+const NOTHING := -1
+
+#region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
+
+## Seconds since the start. Read it; [method EventWorld.advance] changes it.
+var time := 0.0
+## Impacts so far, of balls with anything.
+var impacts := 0
+## More impacts than this within one second of the world are refused by [method EventWorld.advance]:
+## between two walls that touch a ball on both sides they would never end. At least 1.
+var most_impacts_per_second := 1_000_000
+## Whether a flight is compared only with the segments near it (true), or with all; the answers are
+## the same. To be set before the first segment.
+var uses_grid := true:
+	set = _set_uses_grid
+## Whether everything that happens is kept in [member events].
+var keeps_events := false
+## What has happened since [member keeps_events] was set, in order; may be cleared at any time.
+var events: Array[WorldEvent]:
+	get:
+		return _log.events
+	set(value):
+		_log.events = value
+
+#endregion
+
+# The classes that extend this one use these fields.
+@warning_ignore_start("unused_private_class_variable")
+
+#region The time and the counts. EventWorld writes them.
+
+# The second part of [member time].
+var _time_low := 0.0
+# Where the present second of the count of impacts began, and how many there were before.
+var _count_from := 0.0
+var _counted_impacts := 0
+# No event is earlier than this, in seconds; -INF where that has to be looked up.
+var _quiet_until := -INF
+# The number of changes of segments, walls, gravity and bounciness; a snapshot notes it.
+var _contents := 0
+
+#endregion
+
+#region What the balls fly among. EventWorld writes it.
+
+var _segments: SegmentScan = SegmentGrid.new()
+# The walls, in pixels; they mean nothing without [member _has_walls].
+var _has_walls := false
+var _left_x := 0.0
+var _top_y := 0.0
+var _right_x := 0.0
+var _bottom_y := 0.0
+# px/s².
+var _gravity_x := 0.0
+var _gravity_y := 0.0
+# The coefficient of restitution C, 0..1.
+var _bounciness := 1.0
+
+#endregion
+
+#region The balls. EventWorld puts them in and takes them out.
+
+# 1 where there is a ball: a removed one leaves its place empty.
+var _is_there: PackedByteArray = []
+# How many there are.
+var _balls_there := 0
+# Pixels.
+var _radius: PackedFloat64Array = []
+var _mass: PackedFloat64Array = []
+
+#endregion
+
+#region The present flight of each ball. EventWorld, BallSupport and BounceLaws write it.
+
+# When it began, in seconds. In the future only for a ball whose last, tiny bounces are being summed
+# up: see BallSupport._rest.
+var _start: PackedFloat64Array = []
+var _start_low: PackedFloat64Array = []
+# The centre at that time, in pixels, and the velocity, in px/s.
+var _x: PackedFloat64Array = []
+var _y: PackedFloat64Array = []
+var _velocity_x: PackedFloat64Array = []
+var _velocity_y: PackedFloat64Array = []
+# The constant acceleration, in px/s²: gravity in free flight, its part along the surface for a ball
+# that lies or slides, the mean one of a piece of the circle for a ball that goes over a cap.
+var _pull_x: PackedFloat64Array = []
+var _pull_y: PackedFloat64Array = []
+
+#endregion
+
+#region What a ball lies on, and what it has just left. BallSupport and BounceLaws write it.
+
+# The surface on which a ball lies or slides, or NOTHING.
+var _support: PackedInt32Array = []
+# The cap over which it slides: Impact.Feature.START or END; LINE where it slides on the line.
+var _rolled_end: PackedInt32Array = []
+# The seconds that the present piece of the way over the cap takes.
+var _piece: PackedFloat64Array = []
+# The surface that a ball has just left, or NOTHING: it is not searched again, as rounding might
+# find it at once.
+var _left_surface: PackedInt32Array = []
+# Under gravity: the ball's speed along the normal as it left, in px/s, which tells when it comes
+# back; INF where it never comes back.
+var _left_speed: PackedFloat64Array = []
+# The squared speed that a ball without gravity keeps from one elastic bounce to the next, so that
+# rounding does not add up, in (px/s)²; NAN where the speed has changed.
+var _lasting_speed: PackedFloat64Array = []
+# When each ball last met another one, in seconds; -INF for never.
+var _last_meeting: PackedFloat64Array = []
+# The ways of the balls over caps.
+var _rolls := CapRolls.new()
+
+#endregion
+
+#region What comes next for each ball. EventForecast writes it.
+
+# The next touch of a surface, as if there were no other balls: when (seconds; INF for never), which
+# kind of event, which surface, and what of a segment (Impact.Feature).
+var _touch_time: PackedFloat64Array = []
+var _touch_low: PackedFloat64Array = []
+var _touch_kind: PackedInt32Array = []
+var _touched: PackedInt32Array = []
+var _touched_feature: PackedInt32Array = []
+# The next event of all: when, which kind, and with which surface or ball.
+var _event_time: PackedFloat64Array = []
+var _event_low: PackedFloat64Array = []
+var _event_kind: PackedInt32Array = []
+var _event_with: PackedInt32Array = []
+# When the ball comes into another cell, in seconds. Means nothing without [member _uses_cells].
+var _cross_time: PackedFloat64Array = []
+# For each ball the earlier one of its event and its crossing; the earliest of all comes first.
+var _queue := EventQueue.new()
+# Which balls are near a ball. EventWorld lays the cells out.
+var _cells := BallCells.new()
+# Whether there are enough balls for cells. EventWorld writes it.
+var _uses_cells := false
+
+#endregion
+
+#region What has happened. EventWorld and BounceLaws write it through the log.
+
+var _log := EventLog.new()
+
+#endregion
+
+#region Notes of one calculation. They mean nothing when it is over.
+
+# The unit normal of the surface that is looked at, towards the ball.
+var _normal_x := 0.0
+var _normal_y := 0.0
+# The search for a touch under a pull: the earliest one so far, in seconds of flight.
+var _seconds := INF
+var _surface := NOTHING
+var _kind: int = TOUCH
+var _accelerated := AcceleratedImpactFinder.new()
+# The ball that looks for a partner, as it is now (pixels, seconds), and what it has found.
+var _asker := 0
+var _asker_x := 0.0
+var _asker_y := 0.0
+var _asker_velocity_x := 0.0
+var _asker_velocity_y := 0.0
+var _asker_pull_x := 0.0
+var _asker_pull_y := 0.0
+var _asker_radius := 0.0
+var _partner := NOTHING
+var _partner_seconds := INF
+
+#endregion
+
+@warning_ignore_restore("unused_private_class_variable")
+
+
+## How many places for balls there are, with those of removed ones.
+func ball_count() -> int:
+	return _x.size()
+
+
+## Whether there is a ball at that place.
+func has_ball(index: int) -> bool:
+	return index >= 0 and index < _x.size() and _is_there[index] == 1
+
+
+## x of a ball's centre now, in pixels, without making an object of it.
+func position_x(index: int) -> float:
+	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+	return _x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
+
+
+## y of a ball's centre now, in pixels.
+func position_y(index: int) -> float:
+	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+	return _y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+
+
+## x and y of all balls' centres now, in pixels, one after the other in a new array: a picture of
+## many balls needs no call for each. Places without a ball hold what was there last.
+func positions() -> PackedFloat64Array:
+	var places: PackedFloat64Array = []
+	places.resize(2 * _x.size())
+	for index in _x.size():
+		var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+		places[2 * index] = (
+			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
+		)
+		places[2 * index + 1] = (
+			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+		)
+	return places
+
+
+## A ball's centre now, in pixels.
+func position(index: int) -> Vec2:
+	return Vec2.new(position_x(index), position_y(index))
+
+
+## A ball's velocity now, in pixels per second.
+func velocity(index: int) -> Vec2:
+	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+	return Vec2.new(
+		_velocity_x[index] + _pull_x[index] * seconds, _velocity_y[index] + _pull_y[index] * seconds
+	)
+
+
+## A copy of a ball as it is now.
+func ball(index: int) -> Ball:
+	return Ball.new(position(index), _radius[index], velocity(index), _mass[index])
+
+
+## When a ball's present flight began, in seconds.
+func flight_start(index: int) -> float:
+	return _start[index]
+
+
+## The centre of a ball at [param seconds] since the start of the world, within its present flight;
+## before and after it, the flight is continued.
+func position_at(index: int, seconds: float) -> Vec2:
+	var flown := (seconds - _start[index]) - _start_low[index]
+	return Vec2.new(
+		_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * flown) * flown,
+		_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * flown) * flown
+	)
+
+
+## The energy of all balls, m (v² / 2 - g · x), in px²/s² times mass.
+func energy() -> float:
+	var sum := 0.0
+	for index in ball_count():
+		if _is_there[index] == 1:
+			var speed_squared := velocity(index).length_squared()
+			var height := _gravity_x * position_x(index) + _gravity_y * position_y(index)
+			sum += _mass[index] * (0.5 * speed_squared - height)
+	return sum
+
+
+## Whether a ball lies or slides on a segment or a wall.
+func is_resting(index: int) -> bool:
+	return _support[index] != NOTHING and time >= _start[index]
+
+
+# Begins a new flight of a ball where it is now.
+func _restart(index: int) -> void:
+	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+	_x[index] += (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
+	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+	_velocity_x[index] += _pull_x[index] * seconds
+	_velocity_y[index] += _pull_y[index] * seconds
+	_start[index] = time
+	_start_low[index] = _time_low
+
+
+func _squared_speed(index: int) -> float:
+	var x := _velocity_x[index]
+	var y := _velocity_y[index]
+	return x * x + y * y
+
+
+func _is_weightless() -> bool:
+	return _gravity_x == 0.0 and _gravity_y == 0.0
+
+
+func _set_uses_grid(value: bool) -> void:
+	uses_grid = value
+	_segments = SegmentGrid.new() if value else SegmentScan.new()
+
+
+# The arrays with a number for each ball, beside _is_there and without those of the collaborators.
+func _float_arrays() -> Array[PackedFloat64Array]:
+	return [
+		_radius,
+		_mass,
+		_start,
+		_start_low,
+		_x,
+		_y,
+		_velocity_x,
+		_velocity_y,
+		_pull_x,
+		_pull_y,
+		_piece,
+		_left_speed,
+		_lasting_speed,
+		_last_meeting,
+		_touch_time,
+		_touch_low,
+		_event_time,
+		_event_low,
+		_cross_time,
+	]
+
+
+func _int_arrays() -> Array[PackedInt32Array]:
+	return [
+		_support,
+		_rolled_end,
+		_left_surface,
+		_touch_kind,
+		_touched,
+		_touched_feature,
+		_event_kind,
+		_event_with,
+	]
