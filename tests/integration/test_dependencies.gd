@@ -27,10 +27,6 @@ const LAYERS: PackedStringArray = [
 ## Circles that are still there. Must be empty.
 const KNOWN_CIRCLES: PackedStringArray = [
 	(
-		"res://scenes/lessons/l08_reflection/reflection_mistakes.gd, "
-		+ "res://scenes/lessons/l08_reflection/reflection_model.gd"
-	),
-	(
 		"res://scenes/lessons/l09_angled_lines/angled_lines_model.gd, "
 		+ "res://scenes/lessons/l09_angled_lines/event_timeline.gd"
 	),

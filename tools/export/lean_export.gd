@@ -68,8 +68,8 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## The entries of [param files] in the list of classes, which is a text: without spaces, and with the
-## keys that the engine reads.
+## The entries of [param files] in the list of classes, which is a text: without spaces, and with
+## the keys that the engine reads.
 static func classes_of(files: PackedStringArray, list: PackedByteArray) -> PackedByteArray:
 	var classes := ConfigFile.new()
 	classes.parse(list.get_string_from_utf8())
