@@ -16,7 +16,7 @@ const FRAME := 1.0 / 60.0
 ## The lesson's presets with 1, 10 and 50 balls.
 const PRESETS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
-const DirectDrawing := preload("res://tools/direct_drawing.gd")
+const DirectDrawing := preload("res://tools/draw/direct_drawing.gd")
 
 var _lesson: Lesson
 

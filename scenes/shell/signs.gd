@@ -3,7 +3,7 @@ extends RefCounted
 ## The signs that the lessons use and that the engine's font lacks: arrows, check mark, crosses.
 ##
 ## On the desktop the engine borrows such signs from the system's fonts; in a browser there are
-## none, and each would be an empty box. `tools/make_signs_font.py` draws them.
+## none, and each would be an empty box. `tools/draw/make_signs_font.py` draws them.
 
 const _FONT: FontFile = preload("res://assets/signs.ttf")
 

@@ -24,6 +24,11 @@ var is_baseline := false
 ## Microseconds per simulated second, or per call where the problem says so: the median of the runs.
 ## [constant NO_ANSWER] where a world refused to go on; tables leave the cell empty.
 var run_time_us := 0.0
+## A quarter of the runs took at most this long, in the unit of [member run_time_us]; NAN where only
+## the median is known.
+var lower_quartile_us := NAN
+## A quarter of the runs took at least this long; NAN where only the median is known.
+var upper_quartile_us := NAN
 ## The distance from the exact answer, 0 or more in [member error_unit]; or [constant NO_ANSWER].
 var error := 0.0
 ## The unit of [member error], such as px.

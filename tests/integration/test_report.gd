@@ -20,6 +20,28 @@ func test_a_quick_report_writes_table_text_and_pictures() -> void:
 	_assert_text(FileAccess.get_file_as_string(FOLDER.path_join("report.md")))
 
 
+func test_it_compares_run_times_with_older_reports() -> void:
+	var table := FOLDER.path_join("error_vs_time.csv")
+	LabCommand.run("res://", ["report", "--quick", "--problems=1"])
+	var old := ProjectSettings.globalize_path(table)
+	var arguments: PackedStringArray = ["report", "--quick", "--problems=1", "--against", old]
+	var lab := LabCommand.run("res://", arguments + PackedStringArray(["--also", old]))
+	assert_eq(lab.exit_code, 0, lab.output)
+	var text := FileAccess.get_file_as_string(FOLDER.path_join("report.md"))
+	for said: String in [lab.output, text]:
+		assert_string_contains(said, "## Against older reports\n\n1 older, 2 new.")
+		assert_string_contains(said, "| scalar_projection | dot product, up to 100 px | ")
+		assert_string_contains(said, "Median of now / then: the lab's own methods ")
+
+
+func test_a_file_that_is_no_table_is_refused() -> void:
+	for arguments: PackedStringArray in [["--against"], ["--also", "lab"], ["--against", "no.csv"]]:
+		var lab := LabCommand.run("res://", PackedStringArray(["report"]) + arguments)
+		assert_eq(lab.exit_code, 2)
+		assert_string_contains(lab.output, "usage: ./lab report")
+		assert_eq(lab.output.strip_edges().count("\n"), 0)
+
+
 func test_what_it_does_not_know_is_refused_with_one_line() -> void:
 	for argument: String in ["--fast", "quick", "--problems=8", "--problems=", "--problems=1;2"]:
 		var lab := LabCommand.run("res://", ["report", argument])
@@ -54,7 +76,7 @@ func _assert_table(text: String) -> void:
 	assert_gt(lines.size(), 20)
 	for line in lines.slice(1):
 		var cells := MeasurementTable.cells(line)
-		assert_eq(cells.size(), 8, line)
+		assert_eq(cells.size(), 10, line)
 		assert_true(cells[4].is_valid_float() and cells[4].to_float() >= 0.0, line)
 		assert_true(cells[5] == "" or cells[5].is_valid_float(), line)
 		assert_false(line.to_lower().contains("nan") or line.to_lower().contains(",inf"), line)

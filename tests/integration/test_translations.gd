@@ -1,7 +1,7 @@
 extends ScreenTest
 ## Every text goes through Godot's translation, and one file holds them all.
 
-const CollectTexts := preload("res://tools/collect_texts.gd")
+const CollectTexts := preload("res://tools/texts/collect_texts.gd")
 ## A language that the machine that runs the tests does not speak.
 const _LOCALE := "eo"
 const _OPEN := "‹"
@@ -25,7 +25,7 @@ func after_each() -> void:
 
 func test_the_template_holds_every_text_and_nothing_else() -> void:
 	var text := FileAccess.get_file_as_string(CollectTexts.FILE)
-	var hint := "run: godot --headless --path . -s tools/collect_texts.gd"
+	var hint := "run: godot --headless --path . -s tools/texts/collect_texts.gd"
 	assert_true(text == CollectTexts.template(), hint)
 
 

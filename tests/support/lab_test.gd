@@ -1,5 +1,5 @@
 class_name LabTest
-extends GutTest
+extends "res://addons/gut/test.gd"
 ## The base of every test script of the project: GUT's own asserts, and those that know a Vec2.
 
 ## The smallest positive double.

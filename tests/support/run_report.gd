@@ -1,4 +1,4 @@
-extends GutHookScript
+extends "res://addons/gut/hook_script.gd"
 ## Runs after the last test and finds what the runner itself lets pass: scripts that were not run,
 ## tests without an assert, orphan nodes, errors and warnings that no test expected. Sets the exit
 ## code, and leaves `build/test/report.txt` to `./lab test`: `passed N`, then a line `problem TEXT`

@@ -1,4 +1,4 @@
-extends GutHookScript
+extends "res://addons/gut/hook_script.gd"
 ## Runs before the first test. From this line on the runner itself watches the engine's errors.
 
 

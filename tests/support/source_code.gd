@@ -51,12 +51,17 @@ static func names_in(code: String) -> PackedStringArray:
 ## The class names that the scripts below [param folder] declare.
 static func classes_below(folder: String) -> PackedStringArray:
 	var classes := PackedStringArray()
-	var pattern := RegEx.create_from_string(r"(?m)^class_name (\w+)")
 	for file: String in files_below(folder, ["gd"]):
-		var found := pattern.search(FileAccess.get_file_as_string(file))
-		if found != null:
-			classes.append(found.get_string(1))
+		var declared := class_in(FileAccess.get_file_as_string(file))
+		if declared:
+			classes.append(declared)
 	return classes
+
+
+## The class name that the code declares, "" if none.
+static func class_in(code: String) -> String:
+	var found := RegEx.create_from_string(r"(?m)^(?:@\w+ )*class_name (\w+)").search(code)
+	return found.get_string(1) if found != null else ""
 
 
 ## The public members that have no documentation comment (##) above them, and "the class" if there

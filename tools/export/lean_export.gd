@@ -3,10 +3,10 @@ extends EditorExportPlugin
 ## Makes packs smaller, in exports from the editor and from a command line alike.
 ##
 ## Godot 4.6 puts into every pack what belongs to the whole project: two files of its cache, with
-## the class names and the ids of ALL files, tests included, 100 KB of them, and every input action.
-## (Later versions leave the classes and ids out themselves.) While it exports, those files and
-## settings hold what the exported files need; afterwards they are as they were. Scenes and
-## resources are compressed, which Godot does with scripts only.
+## the class names and the ids of ALL files, tests included, 100 KB of them, every input action, and
+## the list of the editor's plugins. (Later versions leave the classes and ids out themselves.)
+## While it exports, those files and settings hold what the exported files need; afterwards they are
+## as they were. Scenes and resources are compressed, which Godot does with scripts only.
 
 const WrittenCode := preload("written_code.gd")
 
@@ -18,9 +18,11 @@ const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
 # Says in words what each action does: it names them all and uses none.
 const _WORDS_FOR_ACTIONS := "res://scenes/shell/input_help.gd"
+# Which plugins the editor has to start.
+const _PLUGINS := "editor_plugins/enabled"
 
 var _files_before: Dictionary[String, PackedByteArray] = {}
-var _actions_before: Dictionary[String, Variant] = {}
+var _settings_before: Dictionary[String, Variant] = {}
 var _orders_before: Dictionary[String, int] = {}
 
 
@@ -39,20 +41,20 @@ func _export_begin(
 		_files_before[file] = FileAccess.get_file_as_bytes(file)
 	_write(_CLASSES, classes_of(files, _files_before[_CLASSES]))
 	_write(_IDS, ids_of(files, _files_before[_IDS]))
-	for action: String in unused_actions(files):
-		_actions_before[action] = ProjectSettings.get_setting(action)
-		_orders_before[action] = ProjectSettings.get_order(action)
-		ProjectSettings.clear(action)
+	for setting: String in unused_settings(files):
+		_settings_before[setting] = ProjectSettings.get_setting(setting)
+		_orders_before[setting] = ProjectSettings.get_order(setting)
+		ProjectSettings.clear(setting)
 
 
 func _export_end() -> void:
 	for file: String in _files_before:
 		_write(file, _files_before[file])
-	for action: String in _actions_before:
-		ProjectSettings.set_setting(action, _actions_before[action])
-		ProjectSettings.set_order(action, _orders_before[action])
+	for setting: String in _settings_before:
+		ProjectSettings.set_setting(setting, _settings_before[setting])
+		ProjectSettings.set_order(setting, _orders_before[setting])
 	_files_before.clear()
-	_actions_before.clear()
+	_settings_before.clear()
 
 
 func _export_file(path: String, _type: String, _features: PackedStringArray) -> void:
@@ -66,8 +68,8 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## The entries of [param files] in the list of classes, which is a text: without spaces, and with the
-## keys that the engine reads.
+## The entries of [param files] in the list of classes, which is a text: without spaces, and with
+## the keys that the engine reads.
 static func classes_of(files: PackedStringArray, list: PackedByteArray) -> PackedByteArray:
 	var classes := ConfigFile.new()
 	classes.parse(list.get_string_from_utf8())
@@ -100,13 +102,14 @@ static func ids_of(files: PackedStringArray, list: PackedByteArray) -> PackedByt
 	return head + entries
 
 
-## The project's own input actions that none of the scripts in [param files] names, as settings.
-static func unused_actions(files: PackedStringArray) -> PackedStringArray:
+## The settings that a pack with these files does not need: the project's own input actions that
+## none of the scripts in [param files] names, and the list of the editor's plugins.
+static func unused_settings(files: PackedStringArray) -> PackedStringArray:
 	var named: PackedStringArray = []
 	for file: String in files:
 		if file.get_extension() == "gd" and file != _WORDS_FOR_ACTIONS:
 			named.append_array(WrittenCode.strings_in(FileAccess.get_file_as_string(file)))
-	var unused: PackedStringArray = []
+	var unused: PackedStringArray = [_PLUGINS]
 	for property: Dictionary in ProjectSettings.get_property_list():
 		var setting: String = property["name"]
 		if setting.begins_with(_OWN_ACTIONS) and not setting.trim_prefix(_ACTION) in named:

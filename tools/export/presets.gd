@@ -1,8 +1,9 @@
 extends RefCounted
 ## The export presets: one for each demo on each platform, with the list of the files that it
-## holds. What stands here wins over what the editor's export window would choose.
+## holds. They win over what is chosen in the editor's export window.
 
 const Demos := preload("demos.gd")
+const PresetOptions := preload("preset_options.gd")
 
 const FILE := "res://export_presets.cfg"
 ## What brings a stale [constant FILE] up to date.
@@ -10,29 +11,6 @@ const COMMAND := "./lab export presets"
 
 const _COMPRESSED_TOKENS := 2
 
-# Icons are drawings and cards are lossy pictures: nothing is compressed for a graphics card.
-const _OPTIONS: Dictionary[String, Dictionary] = {
-	"linux":
-	{
-		"binary_format/architecture": "x86_64",
-		"binary_format/embed_pck": false,
-		"texture_format/s3tc_bptc": true,
-		"texture_format/etc2_astc": false,
-	},
-	"web":
-	{
-		"variant/extensions_support": false,
-		"variant/thread_support": false,
-		"vram_texture_compression/for_desktop": true,
-		"vram_texture_compression/for_mobile": false,
-		"html/custom_html_shell": "res://tools/web/demo_page.html",
-		"html/canvas_resize_policy": 2,
-		"html/focus_canvas_on_start": true,
-		"html/experimental_virtual_keyboard": true,
-		"html/export_icon": false,
-		"progressive_web_app/enabled": false,
-	},
-}
 const _PLATFORMS: Dictionary[String, String] = {"linux": "Linux", "web": "Web"}
 const _EXPORTED_FILE: Dictionary[String, String] = {
 	"linux": "build/export/linux/%s/%s.x86_64", "web": "build/export/web/%s/index.html"
@@ -69,11 +47,17 @@ static func staleness(file: String = FILE) -> String:
 	var right := wanted()
 	for section: String in right.get_sections():
 		for key: String in right.get_section_keys(section):
-			if present.get_value(section, key, null) != right.get_value(section, key):
+			if not _is_same(present, right, section, key):
 				return _stale("“%s” is no longer right in [%s]" % [key, section])
 	if present.get_sections().size() != right.get_sections().size():
 		return _stale("it holds presets that no demo has")
 	return ""
+
+
+static func _is_same(a: ConfigFile, b: ConfigFile, section: String, key: String) -> bool:
+	return (
+		a.has_section_key(section, key) and a.get_value(section, key) == b.get_value(section, key)
+	)
 
 
 static func _stale(reason: String) -> String:
@@ -94,9 +78,11 @@ static func _add(
 		"include_filter": "",
 		"exclude_filter": "",
 		"export_path": _EXPORTED_FILE[platform].replace("%s", demo),
-		"script_export_mode": _COMPRESSED_TOKENS,
 	}
+	entries.merge(PresetOptions.PACKING)
+	entries["script_export_mode"] = _COMPRESSED_TOKENS
 	for key: String in entries:
 		presets.set_value(section, key, entries[key])
-	for option: String in _OPTIONS[platform]:
-		presets.set_value(section + ".options", option, _OPTIONS[platform][option])
+	var options := PresetOptions.OF_PLATFORM[platform]
+	for option: String in options:
+		presets.set_value(section + ".options", option, options[option])

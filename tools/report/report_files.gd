@@ -4,14 +4,19 @@ extends RefCounted
 const FOLDER := "res://build/report"
 
 
+## [param comparison] ends report.md; may be "".
 static func write(
-	problems: Array[ReportProblem], measurements: Array[Measurement], form: String
+	problems: Array[ReportProblem],
+	measurements: Array[Measurement],
+	form: String,
+	comparison: String
 ) -> void:
 	_write_text("error_vs_time.csv", MeasurementTable.to_csv(measurements))
 	for problem: ReportProblem in problems:
 		var rows := Measurement.of_problem(problem.id, measurements)
 		_write_text(problem.id + ".svg", ProblemPicture.of(problem, rows))
-	_write_text("report.md", ReportText.of(problems, measurements, _circumstances(form)))
+	var text := ReportText.of(problems, measurements, _circumstances(form))
+	_write_text("report.md", text + ("\n" + comparison if comparison else ""))
 
 
 static func _circumstances(form: String) -> String:

@@ -2,8 +2,8 @@
 # Makes a web site of the exported demos: the engine once for all of them, compressed copies beside it, an index, links.
 # Can be run again when single demos were exported anew. Usage: tools/web/finish.sh FOLDER
 set -euo pipefail
-# shellcheck source-path=SCRIPTDIR source=../common.sh
-. "$(dirname "$0")/../common.sh"
+# shellcheck source-path=SCRIPTDIR source=../shared/common.sh
+. "$(dirname "$0")/../shared/common.sh"
 
 [ $# -eq 1 ] && [ -d "$1" ] || die 2 "usage: tools/web/finish.sh FOLDER, the folder with the exported demos"
 site=$(cd "$1" && pwd)

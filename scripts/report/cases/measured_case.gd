@@ -72,6 +72,9 @@ func result() -> Measurement:
 	measurement.tuning = tuning
 	measurement.is_baseline = is_baseline
 	measurement.run_time_us = median(_run_times)
+	if runs() > 0:
+		measurement.lower_quartile_us = quantile(_run_times, 0.25)
+		measurement.upper_quartile_us = quantile(_run_times, 0.75)
 	measurement.error = error
 	measurement.error_unit = error_unit
 	measurement.note = note
@@ -86,11 +89,19 @@ func result() -> Measurement:
 
 ## The median: the middle value, or the mean of the two middle values; 0 if there is none.
 static func median(values: PackedFloat64Array) -> float:
+	return quantile(values, 0.5)
+
+
+## The value that [param share] of the values do not exceed, with 0 the least and 1 the largest of
+## them; between two values their weighted mean. 0 if there is no value.
+static func quantile(values: PackedFloat64Array, share: float) -> float:
 	if values.is_empty():
 		return 0.0
 	var sorted := values.duplicate()
 	sorted.sort()
-	var middle := sorted.size() >> 1
-	if sorted.size() % 2 == 1:
-		return sorted[middle]
-	return (sorted[middle - 1] + sorted[middle]) / 2.0
+	var place := share * (sorted.size() - 1)
+	var below := floori(place)
+	var above := mini(below + 1, sorted.size() - 1)
+	if below == place:
+		return sorted[below]
+	return sorted[below] * (above - place) + sorted[above] * (place - below)

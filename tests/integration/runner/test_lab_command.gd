@@ -1,6 +1,8 @@
 extends LabTest
 ## `./lab` itself: what is asked for wrongly gets one line and exit code 2.
 
+const _PROJECT := "res://build/setup_test"
+
 
 func should_skip_script() -> bool:
 	return not LabCommand.is_possible()
@@ -85,3 +87,29 @@ func test_a_program_that_is_no_godot_is_refused() -> void:
 	var lab := LabCommand.run("res://", ["setup"], ["GODOT=echo"])
 	assert_eq(lab.exit_code, 2)
 	assert_string_contains(lab.last_line(), "4.5 or newer is needed")
+
+
+func test_godot_4_6_gets_gut_9_6() -> void:
+	assert_string_contains(_wanted_gut("4.6.3.stable.official.1234"), "GUT 9.6.0 (commit 9f3edeb1")
+
+
+func test_godot_4_7_gets_gut_9_7() -> void:
+	for version: String in ["4.7.stable.official.1234", "4.7.1.stable.custom_build"]:
+		assert_string_contains(_wanted_gut(version), "GUT 9.7.0 (commit 3e53dbc6")
+
+
+## What `./lab setup` says of GUT with a Godot that claims to be [param version], where no GUT can
+## be had. It runs in a small project of its own, because it puts the stand-in there.
+func _wanted_gut(version: String) -> String:
+	var make := ProjectSettings.globalize_path("res://tests/integration/runner/make_project.sh")
+	var project := ProjectSettings.globalize_path(_PROJECT)
+	OS.execute("bash", [make, project])
+	var godot := project.path_join("godot")
+	FileAccess.open(godot, FileAccess.WRITE).store_string("#!/bin/sh\necho %s\n" % version)
+	OS.execute("sh", ["-c", "chmod +x '%s'; rm -r '%s/addons/gut'" % [godot, project]])
+	var environment: PackedStringArray = ["GODOT=" + godot, "XDG_CACHE_HOME=" + project]
+	environment.append_array(["GUT_REPO=/not/there", "GUT_PUBLIC_REPO=/not/there"])
+	var lab := LabCommand.run(_PROJECT, ["setup"], environment)
+	assert_eq(lab.exit_code, 0)
+	assert_string_contains(lab.last_line(), "GUT stand-in")
+	return lab.output

@@ -20,6 +20,13 @@ func test_asserts_that_hold_are_green() -> void:
 	assert_eq(lab.last_line(), "17 passed, 0 failed")
 
 
+func test_the_slowest_scripts_are_named() -> void:
+	var lab := _run("no_assert")
+	var line := RegEx.create_from_string(r"\n +\d+\.\d\d s  cases/no_assert/test_no_assert\.gd\n")
+	assert_not_null(line.search(lab.output), lab.output)
+	assert_string_ends_with(lab.last_line(), " failed")
+
+
 func test_errors_that_a_test_expects_are_not_shown() -> void:
 	var lab := _run("good", ["-gunit_test_name=test_expected"])
 	assert_eq(lab.last_line(), "2 passed, 0 failed")

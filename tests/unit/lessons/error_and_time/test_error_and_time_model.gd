@@ -99,7 +99,7 @@ func test_there_is_no_order_without_an_error_or_an_answer() -> void:
 
 
 func test_every_name_of_every_problem_is_known_to_the_translation() -> void:
-	var known := preload("res://tools/collect_texts.gd").messages()
+	var known := preload("res://tools/texts/collect_texts.gd").messages()
 	var unknown: Array[String] = []
 	for text in _all_names():
 		if not text in unknown and RegEx.create_from_string("\\p{L}{3}").search(text):

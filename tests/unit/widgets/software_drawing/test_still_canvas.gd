@@ -1,4 +1,4 @@
-extends GutTest
+extends "res://addons/gut/test.gd"
 ## A picture of what stands still: drawn again whenever something in it has changed, and only then.
 
 var _picture: StillPicture

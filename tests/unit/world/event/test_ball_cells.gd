@@ -17,9 +17,7 @@ func test_crossing_a_border_is_the_same_as_entering_the_new_cell() -> void:
 		var ball := crossing % _BALLS
 		var place := places[ball]
 		var velocity := velocities[ball]
-		var seconds := cells.time_to_leave(
-			ball, place.x, place.y, velocity.x, velocity.y, 0.0, 0.0
-		)
+		var seconds := cells.time_to_leave(ball, place.x, place.y, velocity.x, velocity.y, 0.0, 0.0)
 		cells.cross(ball)
 		# Onto the border, and a little beyond it.
 		place.add(velocity.scaled(seconds + 1e-9))

@@ -1,4 +1,4 @@
-extends GutTest
+extends "res://addons/gut/test.gd"
 ## Each test here must fail.
 
 signal rang(times: int)

@@ -1,4 +1,4 @@
-extends GutTest
+extends "res://addons/gut/test.gd"
 ## Every assert that the project's tests use, each used rightly.
 
 signal rang(times: int)
@@ -140,7 +140,7 @@ func _ask_name(node: Node) -> void:
 
 
 class TestInside:
-	extends GutTest
+	extends "res://addons/gut/test.gd"
 
 	func test_inner_classes_run() -> void:
 		assert_true(true)

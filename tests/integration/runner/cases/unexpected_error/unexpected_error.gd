@@ -1,4 +1,4 @@
-extends GutTest
+extends "res://addons/gut/test.gd"
 
 
 func test_with_an_error_that_it_does_not_expect() -> void:

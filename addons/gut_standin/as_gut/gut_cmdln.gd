@@ -1,0 +1,2 @@
+extends "res://addons/gut_standin/gut_cmdln.gd"
+## Where GUT has its command line.

@@ -1,0 +1,2 @@
+extends "res://addons/gut_standin/test.gd"
+## Where GUT has its base of all tests.

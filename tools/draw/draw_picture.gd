@@ -1,0 +1,87 @@
+extends SceneTree
+## Starts the lab as a user does, saves what is drawn, and fails when that is blank, or when
+## [code]./lab run[/code] would show something else.
+## Usage: godot --path . --resolution 1280x720 --fixed-fps 60 -s tools/draw/draw_picture.gd
+## -- --picture=FILE [--lesson=ID] [--check-window]
+
+## Half a second: what moves into place has arrived.
+const FRAMES := 30
+const FEWEST_COLORS := 16
+const ARGUMENT := "--picture="
+## Also look at the window: on a screen on which nothing else is.
+const CHECK_WINDOW := "--check-window"
+## What may differ in the window: numbers that change while a lesson works by itself.
+const MOST_DIFFERING := 0.05
+const DirectDrawing := preload("res://tools/draw/direct_drawing.gd")
+
+
+func _init() -> void:
+	var main_scene: String = ProjectSettings.get_setting("application/run/main_scene")
+	change_scene_to_file(main_scene)
+	for frame: int in FRAMES:
+		await process_frame
+	await RenderingServer.frame_post_draw
+	var picture := root.get_texture().get_image()
+	var colors := _count_colors(picture)
+	print("%dx%d, %d colors" % [picture.get_width(), picture.get_height(), colors])
+	var saved := picture.save_png(_path())
+	var is_drawn := colors >= FEWEST_COLORS and picture.get_size() == root.size
+	if picture.detect_alpha() != Image.ALPHA_NONE:
+		print("the picture has holes: something does not fill the window")
+		is_drawn = false
+	var is_shown := await _is_shown_by_direct_drawing(picture)
+	quit(0 if saved == OK and is_drawn and is_shown else 1)
+
+
+func _path() -> String:
+	for argument: String in OS.get_cmdline_user_args():
+		if argument.begins_with(ARGUMENT):
+			return argument.trim_prefix(ARGUMENT)
+	return ""
+
+
+func _is_shown_by_direct_drawing(picture: Image) -> bool:
+	if not CHECK_WINDOW in OS.get_cmdline_user_args() or not DirectDrawing.can_help():
+		return true
+	root.add_child(DirectDrawing.new())
+	await _cover_for_a_moment()
+	for frame: int in FRAMES:
+		await process_frame
+	var window := Rect2i(root.position, root.size)
+	var differing := _share_differing(picture, DisplayServer.screen_get_image(0).get_region(window))
+	if differing > MOST_DIFFERING:
+		print("%.1f %% of the pixels in the window differ" % (differing * 100.0))
+	return differing <= MOST_DIFFERING
+
+
+# A menu or tooltip that comes and goes leaves nothing behind.
+func _cover_for_a_moment() -> void:
+	for frame: int in FRAMES:
+		await process_frame
+	var cover := PopupPanel.new()
+	root.add_child(cover)
+	cover.popup(Rect2i(Vector2i.ZERO, root.size))
+	for frame: int in FRAMES:
+		await process_frame
+	cover.free()
+
+
+func _share_differing(picture: Image, other: Image) -> float:
+	var differing := 0
+	var count := 0
+	for y: int in range(0, picture.get_height(), 3):
+		for x: int in range(0, picture.get_width(), 3):
+			var change := picture.get_pixel(x, y) - other.get_pixel(x, y)
+			count += 1
+			if maxf(absf(change.r), maxf(absf(change.g), absf(change.b))) > 0.06:
+				differing += 1
+	return float(differing) / count
+
+
+## Of every fourth pixel in each direction.
+func _count_colors(picture: Image) -> int:
+	var seen := {}
+	for y: int in range(0, picture.get_height(), 4):
+		for x: int in range(0, picture.get_width(), 4):
+			seen[picture.get_pixel(x, y)] = true
+	return seen.size()
