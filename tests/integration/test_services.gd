@@ -64,21 +64,21 @@ func test_a_mistake_is_picked_by_its_number_and_shows_the_state() -> void:
 func test_a_question_is_shown_where_its_numbers_are_taken() -> void:
 	var question := _added("question") as Question
 	var shown := question.get_node("%Show") as Button
-	question.show_exercise(ShownExercise.new())
+	_offer(question, ShownExercise.new())
 	await student.settle()
 	assert_false(shown.visible, "nobody takes them")
 	question.picked.connect(func(_changes: Dictionary) -> void: pass)
-	question.show_exercise(ShownExercise.new())
+	_offer(question, ShownExercise.new())
 	await student.settle()
 	assert_true(shown.visible)
-	question.show_exercise(Exercise.new())
+	_offer(question, Exercise.new())
 	await student.settle()
 	assert_false(shown.visible, "an exercise without a state of the board")
 
 
 func test_a_question_is_picked_with_the_state_that_shows_it() -> void:
 	var question := _added("question") as Question
-	question.show_exercise(ShownExercise.new())
+	_offer(question, ShownExercise.new())
 	watch_signals(question)
 	(question.get_node("%Show") as Button).pressed.emit()
 	assert_signal_emitted_with_parameters(question, "picked", [{"a": 3.0}])
@@ -88,3 +88,7 @@ func _added(service: String) -> Control:
 	var added := (load(_FOLDER + service + ".tscn") as PackedScene).instantiate() as Control
 	add_child_autofree(added)
 	return added
+
+
+func _offer(question: Question, exercise: Exercise) -> void:
+	question.offer(func(_kind: int, _rng: RandomNumberGenerator) -> Exercise: return exercise, 1)

@@ -9,6 +9,8 @@ const _FRAMES_TO_SETTLE := 5
 
 
 func _init() -> void:
+	# The engine sets the window's size in the first frame.
+	await process_frame
 	root.size = Vector2i(1280, 720)
 	var ids := OS.get_cmdline_user_args()
 	for id: String in ids if ids else LessonIndex.ids() + PackedStringArray(["smallest_lesson"]):

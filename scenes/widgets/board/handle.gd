@@ -32,10 +32,7 @@ const _NUDGES: Dictionary[StringName, Vector2] = {
 @export var title := "":
 	set(value):
 		title = value
-		# The editor would save these.
-		if not Engine.is_editor_hint():
-			accessibility_name = value
-			tooltip_text = value
+		_tell_title()
 ## Colour of the dot.
 @export var role := Palette.Role.INK
 ## Radius of the dot that is seen, in pixels.
@@ -85,6 +82,7 @@ func _ready() -> void:
 	focus_exited.connect(queue_redraw)
 	mouse_entered.connect(_hover.bind(true))
 	mouse_exited.connect(_hover.bind(false))
+	_tell_title()
 	_follow_view()
 
 
@@ -141,6 +139,13 @@ func _press(click: InputEventMouseButton) -> void:
 func _drag_to(motion: InputEventMouseMotion) -> void:
 	var wanted := _plane_point(motion.position).plus(_grip)
 	moved.emit(wanted if motion.shift_pressed else _board.snapped_to_step(wanted))
+
+
+# Not in the editor, which would save both.
+func _tell_title() -> void:
+	if is_node_ready() and not Engine.is_editor_hint():
+		accessibility_name = title
+		tooltip_text = title
 
 
 # The point of the plane below `pixel` of this control.

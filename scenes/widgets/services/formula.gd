@@ -28,14 +28,19 @@ var _shown: PackedStringArray = []
 
 ## A symbol, such as `b̂`, in the color of [param role].
 func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
-	define_symbol(name_in_line, symbol, role)
+	if _symbols.get(name_in_line, "") != symbol:
+		_shown.clear()
+	_symbols[name_in_line] = symbol
+	_set_role(name_in_line, role)
 
 
 ## A number in the color of [param role]. With a [param title], such as `x of a`, it can be typed
 ## over.
 func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
-	define_number(name_in_line, role, title)
-	set_number(name_in_line, value)
+	if title:
+		_editable[name_in_line] = title
+	_values[name_in_line] = value
+	put_text(name_in_line, NumberText.factor(value), role)
 
 
 ## A number at the end of a line, in the color of [param role]: unlike a factor, a negative one has
@@ -46,30 +51,16 @@ func put_result(name_in_line: String, value: float, role: Palette.Role) -> void:
 
 ## A pair of numbers, such as (4, -3), in the color of [param role].
 func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
-	define_number(name_in_line, role)
-	set_vector(name_in_line, vector)
+	put_text(name_in_line, NumberText.pair(vector.x, vector.y), role)
 
 
 ## A text, translated, in the color of [param role].
 func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
-	define_number(name_in_line, role)
-	set_text(name_in_line, text)
-
-
-## The name stands for a symbol such as `b̂`. To change what it stands for, define it anew and then
-## show the lines.
-func define_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
-	if _symbols.get(name_in_line, "") != symbol:
-		_shown.clear()
-	_symbols[name_in_line] = symbol
 	_set_role(name_in_line, role)
-
-
-## The name stands for a number. With a [param title], such as `x of a`, it can be typed over.
-func define_number(name_in_line: String, role: Palette.Role, title: String = "") -> void:
-	_set_role(name_in_line, role)
-	if title:
-		_editable[name_in_line] = title
+	_texts[name_in_line] = text
+	if _parts.has(name_in_line):
+		for part: Control in _parts[name_in_line]:
+			_fill(part, name_in_line)
 
 
 ## Shows these lines from top to bottom; does nothing where they are shown already.
@@ -83,25 +74,6 @@ func show_lines(lines: PackedStringArray) -> void:
 		child.queue_free()
 	for line in lines:
 		_add_line(line)
-
-
-## Puts a number into every line that names it.
-func set_number(name_in_line: String, value: float) -> void:
-	_values[name_in_line] = value
-	set_text(name_in_line, NumberText.factor(value))
-
-
-## Puts a text, such as a pair of numbers, into every line that names it.
-func set_text(name_in_line: String, text: String) -> void:
-	_texts[name_in_line] = text
-	if _parts.has(name_in_line):
-		for part: Control in _parts[name_in_line]:
-			_fill(part, name_in_line)
-
-
-## Puts a pair of numbers, such as (4, -3), into every line that names it.
-func set_vector(name_in_line: String, vector: Vec2) -> void:
-	set_text(name_in_line, NumberText.pair(vector.x, vector.y))
 
 
 # Lines that are shown already have to be laid out anew when a color in them changes.

@@ -20,25 +20,20 @@ func _ready() -> void:
 
 ## Adds mistakes to the list.
 func add_all(mistakes: Array[MistakeInfo]) -> void:
+	_mistakes.append_array(mistakes)
 	for mistake in mistakes:
-		add_mistake(mistake)
-
-
-## Adds a mistake to the list.
-func add_mistake(mistake: MistakeInfo) -> void:
-	_mistakes.append(mistake)
-	_list.add_item(mistake.heading())
+		_list.add_item(mistake.heading())
 
 
 ## Shows the mistake in a lesson's state as switched on, if the state has one; emits nothing.
 func show_picked(state: Dictionary) -> void:
 	if state.has("mistake"):
 		var number: int = state["mistake"]
-		show_mistake(number)
+		_show_mistake(number)
 
 
-## Shows the mistake with this number as switched on, 0 for none; emits nothing.
-func show_mistake(number: int) -> void:
+# Shows the mistake with this number as switched on, 0 for none.
+func _show_mistake(number: int) -> void:
 	_list.select(0)
 	_sentence.text = ""
 	for i in _mistakes.size():
@@ -50,6 +45,6 @@ func show_mistake(number: int) -> void:
 
 func _pick(item: int) -> void:
 	var number := _mistakes[item - 1].number if item > 0 else 0
-	show_mistake(number)
+	_show_mistake(number)
 	mistake_picked.emit(number)
 	picked.emit({"mistake": number})

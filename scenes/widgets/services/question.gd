@@ -3,8 +3,6 @@ extends FoldableContainer
 ## A question with fresh numbers: takes an answer, checks it, and says which mistake leads to a
 ## wrong one.
 
-## The student wants another question.
-signal exercise_wanted
 ## The student wants to see the numbers of the question [param exercise] on the board.
 signal board_wanted(exercise: Exercise)
 ## The same as a change of the lesson's state, where [method Exercise.board_state] has one.
@@ -29,7 +27,7 @@ var _fields: Array[LineEdit] = []
 
 func _ready() -> void:
 	_check.pressed.connect(_check_answer)
-	(%New as Button).pressed.connect(exercise_wanted.emit)
+	(%New as Button).pressed.connect(_ask)
 	_show.pressed.connect(_show_on_board)
 
 
@@ -40,14 +38,14 @@ func offer(fresh: Callable, kind_count: int, first_kind: int = 0) -> void:
 	_fresh = fresh
 	_kind_count = kind_count
 	_kind = first_kind
-	exercise_wanted.connect(_ask)
 	_ask()
 
 
-## Asks the question of [param exercise]; what was answered before is cleared.
-func show_exercise(exercise: Exercise) -> void:
-	_exercise = exercise
-	_prompt.text = exercise.prompt
+# What was answered before is cleared.
+func _ask() -> void:
+	_exercise = _fresh.call(_kind, rng)
+	_kind = (_kind + 1) % _kind_count
+	_prompt.text = _exercise.prompt
 	_verdict.text = ""
 	_show.disabled = true
 	# The lesson may connect to the signal after its first question.
@@ -55,14 +53,8 @@ func show_exercise(exercise: Exercise) -> void:
 	for child in _answers.get_children():
 		child.queue_free()
 	_fields.clear()
-	for answer_title in exercise.answer_titles:
+	for answer_title in _exercise.answer_titles:
 		_add_field(answer_title)
-
-
-func _ask() -> void:
-	var exercise: Exercise = _fresh.call(_kind, rng)
-	_kind = (_kind + 1) % _kind_count
-	show_exercise(exercise)
 
 
 # Where nothing listens, the numbers cannot be shown on the board.

@@ -41,14 +41,10 @@ func open_at(first: int) -> void:
 ## Shows these translated sentences, one for each step; the step that is shown stays. Call it before
 ## the first use of [member step]: it says which step is the last.
 func tell(sentences: PackedStringArray) -> void:
-	show_sentences(sentences, _step if _is_open else sentences.size() - 1)
-
-
-## Gives the steps' sentences, translated, and shows the step [param step] of them.
-func show_sentences(sentences: PackedStringArray, at: int) -> void:
+	var last := sentences.size() - 1
 	_sentences = sentences
+	_step = clampi(_step, 0, last) if _is_open else last
 	_is_open = true
-	_step = clampi(at, 0, sentences.size() - 1)
 	_refresh()
 
 
