@@ -3,8 +3,7 @@ class_name BoardPart
 extends Node2D
 ## What is drawn on a [Board]: finds the board above it and is drawn again when the view changes.
 
-## The board that this part lies on: the nearest one above it in the tree. Without one, as when its
-## scene runs alone, the part is hidden.
+## The board that this part lies on: the nearest one above it in the tree.
 var board: Board
 
 
@@ -12,17 +11,13 @@ func _enter_tree() -> void:
 	var above := get_parent()
 	while above and not above is Board:
 		above = above.get_parent()
-	board = above as Board
-	if board:
-		board.view_changed.connect(queue_redraw)
-		_span()
-	else:
-		hide()
+	board = above as Board if above else _board_of_its_own()
+	board.view_changed.connect(queue_redraw)
+	_span()
 
 
 func _exit_tree() -> void:
-	if board:
-		board.view_changed.disconnect(queue_redraw)
+	board.view_changed.disconnect(queue_redraw)
 
 
 ## Points between which this part lies, in units of the plane: the editor shows them all.
@@ -50,6 +45,14 @@ func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20)
 ## A line of short strokes from [param from] to [param to], in the board's pixels.
 func draw_strokes(from: Vector2, to: Vector2, color: Color, width: float) -> void:
 	draw_dashed_line(from, to, color, width, 9.0, true, true)
+
+
+# A scene of parts that is opened or run alone has no board: they are drawn around the origin.
+func _board_of_its_own() -> Board:
+	if not board:
+		board = Board.new()
+		add_child(board, false, INTERNAL_MODE_FRONT)
+	return board
 
 
 func _span() -> void:

@@ -54,7 +54,7 @@ func _enter_tree() -> void:
 	_board = _board_above(self)
 	if _board:
 		_board.view_changed.connect(_follow_view)
-	else:
+	elif not Engine.is_editor_hint():
 		hide()
 
 
