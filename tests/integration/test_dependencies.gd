@@ -24,14 +24,6 @@ const LAYERS: PackedStringArray = [
 	"res://scripts/report/stability",
 ]
 
-## Circles that are still there. Must be empty.
-const KNOWN_CIRCLES: PackedStringArray = [
-	(
-		"res://scenes/lessons/l09_angled_lines/angled_lines_model.gd, "
-		+ "res://scenes/lessons/l09_angled_lines/event_timeline.gd"
-	),
-]
-
 ## Where a folder of unit tests may have what it tests; `lessons/` is a case of its own.
 const MIRRORED: PackedStringArray = ["res://scripts", "res://scenes", "res://", "res://tests"]
 
@@ -44,7 +36,7 @@ func before_all() -> void:
 
 func test_files_name_each_other_in_no_circle() -> void:
 	assert_gt(_all.named_by.size(), 300)
-	assert_eq(_all.circles(), KNOWN_CIRCLES)
+	assert_eq(_all.circles(), PackedStringArray())
 
 
 func test_a_circle_of_files_is_found() -> void:

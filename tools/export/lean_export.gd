@@ -40,7 +40,7 @@ func _export_begin(
 	for file: String in [_CLASSES, _IDS]:
 		_files_before[file] = FileAccess.get_file_as_bytes(file)
 	_write(_CLASSES, classes_of(files, _files_before[_CLASSES]))
-	_write(_IDS, ids_of(files, _files_before[_IDS]))
+	_write(_IDS, ids_of(_named_in_scenes(files), _files_before[_IDS]))
 	for setting: String in unused_settings(files):
 		_settings_before[setting] = ProjectSettings.get_setting(setting)
 		_orders_before[setting] = ProjectSettings.get_order(setting)
@@ -82,6 +82,17 @@ static func classes_of(files: PackedStringArray, list: PackedByteArray) -> Packe
 			)
 			texts.append("{%s}" % ",".join(parts))
 	return ("list=[%s]\n" % ",".join(texts)).to_utf8_buffer()
+
+
+# The files that a scene or resource among [param files] names. Only there an id is read: scripts
+# name each other by path or class.
+static func _named_in_scenes(files: PackedStringArray) -> PackedStringArray:
+	var named: PackedStringArray = []
+	for file: String in files:
+		if file.get_extension() in ["tscn", "tres"]:
+			for dependency: String in ResourceLoader.get_dependencies(file):
+				named.append(dependency.get_slice("::", dependency.count("::")))
+	return named
 
 
 ## The entries of [param files] in the list of ids: a count, then an id of 8 bytes, a length of 4
