@@ -1,6 +1,6 @@
 extends SceneTree
 ## How many frames a second the lesson on angled lines draws while its balls fly, and what a frame
-## costs: opens the window, as `./lab run` does, and as the engine does by itself.
+## costs: opens the window as the lab does, and once more without what [SoftwareDrawing] saves.
 ##
 ## Run with: ./lab bench frame_rate (without a display it brings one of its own)
 ## [br][br]
@@ -16,8 +16,7 @@ const FRAME := 1.0 / 60.0
 ## The lesson's presets with 1, 10 and 50 balls.
 const PRESETS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
-const DirectDrawing := preload("res://tools/draw/direct_drawing.gd")
-
+var _frame: LessonFrame
 var _lesson: Lesson
 
 
@@ -27,24 +26,26 @@ func _init() -> void:
 
 func _run() -> void:
 	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
-	var frame := (
-		(load("res://scenes/shell/lesson_frame.tscn") as PackedScene).instantiate() as LessonFrame
-	)
-	frame.lesson_info = LessonIndex.find("angled_lines")
-	root.add_child(frame)
-	_lesson = frame.lesson
 	print("\nWindow %d x %d, %s" % [root.size.x, root.size.y, _renderer()])
 	print("%d runs of %s s each; milliseconds per frame are averages" % [RUNS, SECONDS])
-	if DirectDrawing.can_help():
-		var drawing := DirectDrawing.new()
-		root.add_child(drawing)
-		await _print_table("As ./lab run opens it: drawn straight into the window")
-		drawing.free()
-	await _print_table("As the engine opens it")
+	await _print_table("As the lab draws it here")
+	if SoftwareDrawing.is_on:
+		SoftwareDrawing.is_on = false
+		await _print_table("As it is drawn on a graphics card")
 	quit()
 
 
+func _open_lesson() -> void:
+	if _frame:
+		_frame.free()
+	_frame = (load("res://scenes/shell/lesson_frame.tscn") as PackedScene).instantiate()
+	_frame.lesson_info = LessonIndex.find("angled_lines")
+	root.add_child(_frame)
+	_lesson = _frame.lesson
+
+
 func _print_table(title: String) -> void:
+	_open_lesson()
 	print("\n%s\n" % title)
 	print(
 		"| balls | frames a second, best | worst | processor ms, best run | script, ms of 1/60 s |"

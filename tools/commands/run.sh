@@ -14,7 +14,7 @@ fi
 
 if has_display; then
 	use_drivers_beside_godot
-	exec "$godot" --path "$LAB_ROOT" -s tools/draw/run_lab.gd ${1:+-- "--lesson=$1"}
+	exec "$godot" --path "$LAB_ROOT" ${1:+-- "--lesson=$1"}
 fi
 say "there is no display: drawing into build/pictures/"
 if [ $# -eq 1 ]; then

@@ -1,6 +1,6 @@
 extends SceneTree
-## Starts the lab as a user does, saves what is drawn, and fails when that is blank, or when
-## [code]./lab run[/code] would show something else.
+## Starts the lab as a user does, saves what is drawn, and fails when that is blank, or when the
+## window shows something else after a menu was open over it.
 ## Usage: godot --path . --resolution 1280x720 --fixed-fps 60 -s tools/draw/draw_picture.gd
 ## -- --picture=FILE [--lesson=ID] [--check-window]
 
@@ -12,7 +12,6 @@ const ARGUMENT := "--picture="
 const CHECK_WINDOW := "--check-window"
 ## What may differ in the window: numbers that change while a lesson works by itself.
 const MOST_DIFFERING := 0.05
-const DirectDrawing := preload("res://tools/draw/direct_drawing.gd")
 
 
 func _init() -> void:
@@ -29,7 +28,7 @@ func _init() -> void:
 	if picture.detect_alpha() != Image.ALPHA_NONE:
 		print("the picture has holes: something does not fill the window")
 		is_drawn = false
-	var is_shown := await _is_shown_by_direct_drawing(picture)
+	var is_shown := await _is_shown_again(picture)
 	quit(0 if saved == OK and is_drawn and is_shown else 1)
 
 
@@ -40,10 +39,10 @@ func _path() -> String:
 	return ""
 
 
-func _is_shown_by_direct_drawing(picture: Image) -> bool:
-	if not CHECK_WINDOW in OS.get_cmdline_user_args() or not DirectDrawing.can_help():
+# Where a processor draws, pictures that do not change stay on the screen: see SoftwareDrawing.
+func _is_shown_again(picture: Image) -> bool:
+	if not CHECK_WINDOW in OS.get_cmdline_user_args() or not SoftwareDrawing.is_on:
 		return true
-	root.add_child(DirectDrawing.new())
 	await _cover_for_a_moment()
 	for frame: int in FRAMES:
 		await process_frame
