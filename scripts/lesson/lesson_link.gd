@@ -42,7 +42,7 @@ static func read(text: String, base: Dictionary) -> LessonLink:
 	var link := LessonLink.new()
 	link.state = base.duplicate(true)
 	if text.length() > LONGEST:
-		var sentence := _translate("The link has %d characters; there may be at most %d.")
+		var sentence := LabText.translate("The link has %d characters; there may be at most %d.")
 		link.problem = sentence % [text.length(), LONGEST]
 		return link
 	for part in text.split("&", false):
@@ -77,12 +77,12 @@ static func _list_text(list: PackedFloat64Array) -> String:
 func _take(part: String, base: Dictionary) -> void:
 	var name := part.get_slice("=", 0)
 	if not base.has(name):
-		var sentence := _translate("There is no value “%s” here. There are: %s.")
+		var sentence := LabText.translate("There is no value “%s” here. There are: %s.")
 		problem = sentence % [quoted(name), ", ".join(base.keys())]
 	elif not part.contains("="):
-		problem = _translate("“%s” has no value: write %s=… behind it.") % [name, name]
+		problem = LabText.translate("“%s” has no value: write %s=… behind it.") % [name, name]
 	elif name in _named:
-		problem = _translate("“%s” is there twice.") % [name]
+		problem = LabText.translate("“%s” is there twice.") % [name]
 	else:
 		_named.append(name)
 		_take_value(name, part.trim_prefix(name + "="), base[name])
@@ -110,7 +110,7 @@ func _take_value(name: String, text: String, first: Variant) -> void:
 func _take_switch(name: String, text: String) -> void:
 	state[name] = text == "true"
 	if text != "true" and text != "false":
-		problem = _translate("%s must be true or false, not “%s”.") % [name, quoted(text)]
+		problem = LabText.translate("%s must be true or false, not “%s”.") % [name, quoted(text)]
 
 
 func _take_whole_number(name: String, text: String) -> void:
@@ -118,14 +118,14 @@ func _take_whole_number(name: String, text: String) -> void:
 	if text.is_valid_int() and text.length() < 10:
 		state[name] = text.to_int()
 	else:
-		problem = _translate("%s must be a whole number, not “%s”.") % [name, quoted(text)]
+		problem = LabText.translate("%s must be a whole number, not “%s”.") % [name, quoted(text)]
 
 
 func _take_lists(name: String, text: String, length: int) -> void:
 	var lists: Array[PackedFloat64Array] = []
 	var texts := text.split(";") if text else PackedStringArray()
 	if texts.size() > MOST_LISTS:
-		var sentence := _translate("%s has %d parts; there may be at most %d.")
+		var sentence := LabText.translate("%s has %d parts; there may be at most %d.")
 		problem = sentence % [name, texts.size(), MOST_LISTS]
 		return
 	for list_text in texts:
@@ -137,7 +137,7 @@ func _take_lists(name: String, text: String, length: int) -> void:
 func _numbers(name: String, text: String, count: int) -> PackedFloat64Array:
 	var texts := text.split(",")
 	if texts.size() != count:
-		var sentence := _translate("%s must have %d numbers, not %d: “%s”.")
+		var sentence := LabText.translate("%s must have %d numbers, not %d: “%s”.")
 		problem = sentence % [name, count, texts.size(), quoted(text)]
 		return []
 	var numbers: PackedFloat64Array = []
@@ -150,12 +150,8 @@ func _numbers(name: String, text: String, count: int) -> PackedFloat64Array:
 func _number(name: String, text: String) -> float:
 	var number := DecimalText.value_of(text)
 	if is_nan(number):
-		var sentence := _translate(
+		var sentence := LabText.translate(
 			"“%s” in %s must be a number: 0, or from 1e-100 to 1e100 in size."
 		)
 		problem = sentence % [quoted(text), name]
 	return number
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -5,18 +5,24 @@ extends RefCounted
 
 ## One sentence a step, translated.
 static func sentences(copies: bool) -> PackedStringArray:
-	var second := _translate("A second name: old = position. For a Vec2 it is the same object.")
-	var third := _translate(
+	var second := LabText.translate(
+		"A second name: old = position. For a Vec2 it is the same object."
+	)
+	var third := LabText.translate(
 		"Drag position: the Vec2 moves under both names. The Vector2 leaves old behind."
 	)
 	if copies:
-		second = _translate("A copy: old = position.copy(). Now there are two Vec2.")
-		third = _translate("Drag position: now the old Vec2 stays behind, as the Vector2 does.")
+		second = LabText.translate("A copy: old = position.copy(). Now there are two Vec2.")
+		third = LabText.translate(
+			"Drag position: now the old Vec2 stays behind, as the Vector2 does."
+		)
 	return [
-		_translate("A place as a Vec2, our object, and as a Vector2, Godot's value. Drag either."),
+		LabText.translate(
+			"A place as a Vec2, our object, and as a Vector2, Godot's value. Drag either."
+		),
 		second,
 		third,
-		_translate("Why Vec2 at all? It has 64 bits. Add 0.1 a million times and compare."),
+		LabText.translate("Why Vec2 at all? It has 64 bits. Add 0.1 a million times and compare."),
 	]
 
 
@@ -24,12 +30,8 @@ static func sentences(copies: bool) -> PackedStringArray:
 ## has, and whether they share one object.
 static func sharing(is_shared: bool, step: int) -> PackedStringArray:
 	if step == 0:
-		return [_translate("one name, one object"), _translate("one name, one value")]
-	var of_objects := _translate("two names, two objects")
+		return [LabText.translate("one name, one object"), LabText.translate("one name, one value")]
+	var of_objects := LabText.translate("two names, two objects")
 	if is_shared:
-		of_objects = _translate("two names, one object")
-	return [of_objects, _translate("two names, two values")]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)
+		of_objects = LabText.translate("two names, one object")
+	return [of_objects, LabText.translate("two names, two values")]

@@ -15,7 +15,7 @@ static func sentences(model: EasyBounceModel) -> PackedStringArray:
 
 ## What is said behind a distance: whether it means a hit.
 static func hit_text(is_hit: bool) -> String:
-	return _translate("< r: hit") if is_hit else "≥ r"
+	return LabText.translate("< r: hit") if is_hit else "≥ r"
 
 
 ## Whether the velocity matters in [param step]; elsewhere its arrow would only be in the way.
@@ -25,33 +25,33 @@ static func needs_velocity(step: int) -> bool:
 
 static func _sentences_for_floor() -> PackedStringArray:
 	return [
-		_translate("Move: in each frame the ball moves by v, here into the floor."),
-		_translate("Detect: y alone tells. If floor − y is less than r, it is a hit."),
-		_translate("Put back: only y changes, until the ball just touches the floor."),
-		_translate("Flip: y of v changes its sign, x stays."),
-		_translate("Right on a level floor. Play it, then tilt the line at one of its ends!"),
+		LabText.translate("Move: in each frame the ball moves by v, here into the floor."),
+		LabText.translate("Detect: y alone tells. If floor − y is less than r, it is a hit."),
+		LabText.translate("Put back: only y changes, until the ball just touches the floor."),
+		LabText.translate("Flip: y of v changes its sign, x stays."),
+		LabText.translate(
+			"Right on a level floor. Play it, then tilt the line at one of its ends!"
+		),
 	]
 
 
 static func _sentences_for_wall() -> PackedStringArray:
 	return [
-		_translate("Move: in each frame the ball moves by v, here into the wall."),
-		_translate("Detect: x alone tells. If wall − x is less than r, it is a hit."),
-		_translate("Put back: only x changes, until the ball just touches the wall."),
-		_translate("Flip: x of v changes its sign, y stays."),
-		_translate("Right on an upright wall. Play it, then tilt the line at one of its ends!"),
+		LabText.translate("Move: in each frame the ball moves by v, here into the wall."),
+		LabText.translate("Detect: x alone tells. If wall − x is less than r, it is a hit."),
+		LabText.translate("Put back: only x changes, until the ball just touches the wall."),
+		LabText.translate("Flip: x of v changes its sign, y stays."),
+		LabText.translate(
+			"Right on an upright wall. Play it, then tilt the line at one of its ends!"
+		),
 	]
 
 
 static func _sentences_for_tilted() -> PackedStringArray:
 	return [
-		_translate("Move: in each frame the ball moves by v, here into a tilted line."),
-		_translate("Wrong distance: the shortest one counts, along the perpendicular."),
-		_translate("Put back the wrong way: it has to be along the normal."),
-		_translate("Flipped the wrong way: the velocity is reflected at the line."),
-		_translate("The easy ball goes astray. Play both, or go frame by frame."),
+		LabText.translate("Move: in each frame the ball moves by v, here into a tilted line."),
+		LabText.translate("Wrong distance: the shortest one counts, along the perpendicular."),
+		LabText.translate("Put back the wrong way: it has to be along the normal."),
+		LabText.translate("Flipped the wrong way: the velocity is reflected at the line."),
+		LabText.translate("The easy ball goes astray. Play both, or go frame by frame."),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -45,24 +45,20 @@ static func infos() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			WRONG_NORMAL,
-			_translate("signs and order"),
-			_translate("(y, x) is no normal, (y, −x) the opposite."),
+			LabText.translate("signs and order"),
+			LabText.translate("(y, x) is no normal, (y, −x) the opposite."),
 			script + "test_mistake_9_the_normal_with_the_wrong_sign_or_swapped"
 		),
 		MistakeInfo.new(
 			ZERO_VECTOR,
-			_translate("zero vector"),
-			_translate("0 / 0 is NaN. Zero must stay zero."),
+			LabText.translate("zero vector"),
+			LabText.translate("0 / 0 is NaN. Zero must stay zero."),
 			script + "test_mistake_6_a_zero_vector_normalized_to_nan"
 		),
 		MistakeInfo.new(
 			CUT_LENGTH,
-			_translate("length cut to an integer"),
-			_translate("int(0.5) is 0: short is taken for zero."),
+			LabText.translate("length cut to an integer"),
+			LabText.translate("int(0.5) is 0: short is taken for zero."),
 			script + "test_mistake_7_the_length_cut_to_a_whole_number"
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -33,50 +33,50 @@ static func sentences(model: DotProductModel) -> PackedStringArray:
 ## without normalizing.
 static func verdict(model: DotProductModel) -> PackedStringArray:
 	var scalar := NumberText.short(model.scalar_projection())
-	return [_translate("Scalar projection %s") % scalar, _verdict_on_sign(model)]
+	return [LabText.translate("Scalar projection %s") % scalar, _verdict_on_sign(model)]
 
 
 static func _verdict_on_sign(model: DotProductModel) -> String:
 	if not model.normalizes:
 		var times := NumberText.short(model.onto().length())
-		return _translate("wrong: |%s| = %s times too big") % [onto_symbol(model), times]
+		return LabText.translate("wrong: |%s| = %s times too big") % [onto_symbol(model), times]
 	var by_sign: PackedStringArray = [
-		_translate("negative: the angle is above 90°"),
-		_translate("zero: no shadow at all"),
-		_translate("positive: the angle is below 90°"),
+		LabText.translate("negative: the angle is above 90°"),
+		LabText.translate("zero: no shadow at all"),
+		LabText.translate("positive: the angle is below 90°"),
 	]
 	return by_sign[model.side() + 1]
 
 
 static func _right_sentences() -> PackedStringArray:
 	return [
-		_translate(
+		LabText.translate(
 			"A vector is a difference: head minus tail. Drag either; only the difference counts."
 		),
-		_translate(
+		LabText.translate(
 			"Divide {w} by its length: the unit vector {e} keeps the direction and has length 1."
 		),
-		_translate(
+		LabText.translate(
 			"The dot product with {e} is the scalar projection: how far {u} reaches along {w}."
 		),
-		_translate("So many times {e} is the vector projection p: the shadow of {u} on {w}."),
-		_translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
+		LabText.translate(
+			"So many times {e} is the vector projection p: the shadow of {u} on {w}."
+		),
+		LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
 	]
 
 
 static func _wrong_sentences() -> PackedStringArray:
 	return [
-		_translate(
+		LabText.translate(
 			"A vector is a difference: head minus tail. Drag either; only the difference counts."
 		),
-		_translate("Here {w} is NOT divided by its length: the usual mistake."),
-		_translate("The dot product with {w} itself is the projection times the length of {w}."),
-		_translate("So many times {w}: the arrow leaves the board. It is far too long."),
-		_translate(
+		LabText.translate("Here {w} is NOT divided by its length: the usual mistake."),
+		LabText.translate(
+			"The dot product with {w} itself is the projection times the length of {w}."
+		),
+		LabText.translate("So many times {w}: the arrow leaves the board. It is far too long."),
+		LabText.translate(
 			"The rest {u} − p is not perpendicular to {w}: that is how a test finds the mistake."
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -12,26 +12,28 @@ const UNIT := "b\u0302"
 ## One sentence a step, translated.
 static func sentences(model: ProjectionProofModel) -> PackedStringArray:
 	if not model.has_direction():
-		var refusal := _translate("b is zero: it has no direction, so there is no β. Drag b away.")
+		var refusal := LabText.translate(
+			"b is zero: it has no direction, so there is no β. Drag b away."
+		)
 		var refusals: PackedStringArray = []
 		refusals.resize(Step.size())
 		refusals.fill(refusal)
 		return refusals
 	return [
-		_translate("Wanted: p, the shadow of a on b. How long is it, and with which sign?"),
-		_translate("Turn both by −β until b lies on the x axis. No length changes."),
-		_translate("Now the shadow lies on the x axis: its length is the x of a′."),
-		_translate("ax and ay turn along. Their shadows on the axis add up to a′.x."),
-		_translate("The triangle of b holds cos β and sin β: its sides divided by |b|."),
-		_translate("Put them in: what comes out is a · b̂. No angle is left in it."),
-		_translate("Both sides, computed in two ways: do they agree to the last bit?"),
+		LabText.translate("Wanted: p, the shadow of a on b. How long is it, and with which sign?"),
+		LabText.translate("Turn both by −β until b lies on the x axis. No length changes."),
+		LabText.translate("Now the shadow lies on the x axis: its length is the x of a′."),
+		LabText.translate("ax and ay turn along. Their shadows on the axis add up to a′.x."),
+		LabText.translate("The triangle of b holds cos β and sin β: its sides divided by |b|."),
+		LabText.translate("Put them in: what comes out is a · b̂. No angle is left in it."),
+		LabText.translate("Both sides, computed in two ways: do they agree to the last bit?"),
 	]
 
 
 ## Both sides with all their digits, and in words how far they are apart, translated.
 static func comparison(model: ProjectionProofModel) -> PackedStringArray:
 	if not model.has_direction():
-		return [_translate("b is zero: no direction, no shadow")]
+		return [LabText.translate("b is zero: no direction, no shadow")]
 	return [
 		"a′.x = %s" % NumberText.all_digits(model.x_of_turned_a()),
 		"a · %s = %s" % [UNIT, NumberText.all_digits(model.dot_with_unit())],
@@ -41,13 +43,9 @@ static func comparison(model: ProjectionProofModel) -> PackedStringArray:
 
 static func _agreement(units: float) -> String:
 	if units == 0.0:
-		return _translate("equal to the last bit")
+		return LabText.translate("equal to the last bit")
 	if units == 1.0:
-		return _translate("1 unit in the last place apart")
+		return LabText.translate("1 unit in the last place apart")
 	if units > 1e6:
-		return _translate("Both mean 0: only rounding is left")
-	return _translate("%s units in the last place apart") % NumberText.short(units)
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)
+		return LabText.translate("Both mean 0: only rounding is left")
+	return LabText.translate("%s units in the last place apart") % NumberText.short(units)

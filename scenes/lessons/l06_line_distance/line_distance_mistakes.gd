@@ -35,24 +35,20 @@ static func infos() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			STRAIGHT_UP,
-			_translate("distance measured straight up"),
-			_translate("Longer than the perpendicular: seen too late."),
+			LabText.translate("distance measured straight up"),
+			LabText.translate("Longer than the perpendicular: seen too late."),
 			"test_line_distance.test_straight_up_is_longer"
 		),
 		MistakeInfo.new(
 			WRONG_SIGN,
-			_translate("normal with the wrong sign"),
-			_translate("(y, −x) is the normal of the other side."),
+			LabText.translate("normal with the wrong sign"),
+			LabText.translate("(y, −x) is the normal of the other side."),
 			"test_line_distance.test_the_good_side_is_kept"
 		),
 		MistakeInfo.new(
 			NOT_UNIT,
-			_translate("normal not unit"),
-			_translate("Not divided by |l|: |l| times too far."),
+			LabText.translate("normal not unit"),
+			LabText.translate("Not divided by |l|: |l| times too far."),
 			"test_line_distance.test_the_normal_is_unit"
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

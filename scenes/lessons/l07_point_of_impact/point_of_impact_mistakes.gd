@@ -30,30 +30,26 @@ static func infos() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			OVER_NEW,
-			_translate("a / new instead of a / b"),
-			_translate("b is the way of the frame: old − new."),
+			LabText.translate("a / new instead of a / b"),
+			LabText.translate("b is the way of the frame: old − new."),
 			"test_point_of_impact.test_b_is_old_less_new"
 		),
 		MistakeInfo.new(
 			UNSIGNED,
-			_translate("distances without a sign"),
-			_translate("Behind the line, the new distance is negative."),
+			LabText.translate("distances without a sign"),
+			LabText.translate("Behind the line, the new distance is negative."),
 			"test_point_of_impact.test_distances_are_signed"
 		),
 		MistakeInfo.new(
 			NOT_LIMITED,
-			_translate("t not limited to 0..1"),
-			_translate("Outside 0..1, and for b = 0, nothing is hit."),
+			LabText.translate("t not limited to 0..1"),
+			LabText.translate("Outside 0..1, and for b = 0, nothing is hit."),
 			"test_point_of_impact.test_share_is_limited"
 		),
 		MistakeInfo.new(
 			FROM_NEW,
-			_translate("time from the new position"),
-			_translate("t counts from old: a is old − r."),
+			LabText.translate("time from the new position"),
+			LabText.translate("t counts from old: a is old − r."),
 			"test_point_of_impact.test_time_is_from_old"
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

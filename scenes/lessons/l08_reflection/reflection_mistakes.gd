@@ -72,38 +72,44 @@ static func infos() -> Array[MistakeInfo]:
 			MistakeInfo
 			. new(
 				NOT_UNIT,
-				_translate("normal not of length 1"),
-				_translate(
-					"With n twice too long, v · n and n are both doubled: 4 times too much is subtracted."
+				LabText.translate("normal not of length 1"),
+				(
+					LabText
+					. translate(
+						"With n twice too long, v · n and n are both doubled: 4 times too much is subtracted."
+					)
 				),
 				"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused"
 			)
 		),
 		MistakeInfo.new(
 			NORMAL_OF_NORMAL,
-			_translate("normal of the normal"),
-			_translate("That lies along the line: the ball turns back on its way, into the line."),
+			LabText.translate("normal of the normal"),
+			LabText.translate(
+				"That lies along the line: the ball turns back on its way, into the line."
+			),
 			"test_bounce.test_mistake_12_the_normal_of_the_normal_is_not_used"
 		),
 		MistakeInfo.new(
 			BOUNCY_TANGENT,
-			_translate("bounciness on the tangent"),
-			_translate("C must act along the normal. Here it brakes the ball along the line."),
+			LabText.translate("bounciness on the tangent"),
+			LabText.translate(
+				"C must act along the normal. Here it brakes the ball along the line."
+			),
 			"test_bounce.test_mistake_13_bounciness_leaves_the_tangent_alone"
 		),
 		(
 			MistakeInfo
 			. new(
 				REFLECTED_AGAIN,
-				_translate("reflected while moving away"),
-				_translate(
-					"Next frame the ball still overlaps the line, and is sent back in: it sticks, jittering."
+				LabText.translate("reflected while moving away"),
+				(
+					LabText
+					. translate(
+						"Next frame the ball still overlaps the line, and is sent back in: it sticks, jittering."
+					)
 				),
 				"test_bounce.test_mistake_14_a_ball_that_moves_away_is_left_alone"
 			)
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

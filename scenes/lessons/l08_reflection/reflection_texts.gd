@@ -9,15 +9,15 @@ static func sentences(model: ReflectionModel) -> PackedStringArray:
 		var refusals: PackedStringArray = []
 		refusals.resize(ReflectionModel.Step.size())
 		refusals.fill(
-			_translate("n is not of length 1: reflect refuses it, and v stays as it was.")
+			LabText.translate("n is not of length 1: reflect refuses it, and v stays as it was.")
 		)
 		return refusals
 	return [
-		_translate("A ball with velocity v meets a line with the unit normal n."),
-		_translate("Along n, v has the part (v · n) n: the shadow of v on n."),
-		_translate("Subtract it once: nothing goes into the line. The ball slides."),
-		_translate("Subtract it twice: the law of reflection. Both angles are equal."),
-		_translate("Subtract it (1 + C) times: C says how much of it comes back."),
+		LabText.translate("A ball with velocity v meets a line with the unit normal n."),
+		LabText.translate("Along n, v has the part (v · n) n: the shadow of v on n."),
+		LabText.translate("Subtract it once: nothing goes into the line. The ball slides."),
+		LabText.translate("Subtract it twice: the law of reflection. Both angles are equal."),
+		LabText.translate("Subtract it (1 + C) times: C says how much of it comes back."),
 	]
 
 
@@ -27,10 +27,10 @@ static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> Packe
 	if step < ReflectionModel.Step.SLIDE:
 		var angle := NumberText.short(model.angle_in_degrees())
 		return [
-			_translate("comes in at %s° to the normal") % angle,
-			_translate("nothing subtracted: it flies through"),
+			LabText.translate("comes in at %s° to the normal") % angle,
+			LabText.translate("nothing subtracted: it flies through"),
 		]
-	var energy := _translate("keeps %s %% of its energy")
+	var energy := LabText.translate("keeps %s %% of its energy")
 	return [
 		_angles(model, leaving),
 		energy % NumberText.short(model.energy_share(leaving) * 100.0, 3),
@@ -47,10 +47,6 @@ static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> 
 static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
 	var angle_in := NumberText.short(model.angle_in_degrees())
 	if leaving.length() == 0.0:
-		return _translate("in %s° to the normal, and it stops") % angle_in
+		return LabText.translate("in %s° to the normal, and it stops") % angle_in
 	var angle_out := NumberText.short(model.angle_out_degrees(leaving))
-	return _translate("in %s°, out %s° to the normal") % [angle_in, angle_out]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)
+	return LabText.translate("in %s°, out %s° to the normal") % [angle_in, angle_out]

@@ -73,34 +73,34 @@ static func all() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			14,
-			_translate("reflected while moving away"),
-			_translate(
+			LabText.translate("reflected while moving away"),
+			LabText.translate(
 				"The ball overlaps, so it is reflected, frame after frame: it sinks and jitters."
 			),
 			"test_known_stepping_mistakes.test_a_ball_that_moves_away_is_not_reflected_again"
 		),
 		MistakeInfo.new(
 			21,
-			_translate("last hit instead of the earliest"),
-			_translate(
+			LabText.translate("last hit instead of the earliest"),
+			LabText.translate(
 				"Two walls in one frame: the last in the list wins. The ball passes the first."
 			),
 			"test_known_stepping_mistakes.test_the_earliest_of_two_walls_is_hit"
 		),
 		MistakeInfo.new(
 			24,
-			_translate("rest of the frame lost"),
-			_translate("After the bounce the ball waits for the next frame, but gravity does not."),
+			LabText.translate("rest of the frame lost"),
+			LabText.translate(
+				"After the bounce the ball waits for the next frame, but gravity does not."
+			),
 			"test_known_stepping_mistakes.test_the_rest_of_the_frame_is_used"
 		),
 		MistakeInfo.new(
 			26,
-			_translate("full gravity before the bounce"),
-			_translate("All of the frame's gravity comes before the bounce: each one adds energy."),
+			LabText.translate("full gravity before the bounce"),
+			LabText.translate(
+				"All of the frame's gravity comes before the bounce: each one adds energy."
+			),
 			"test_known_stepping_mistakes.test_gravity_before_the_bounce_lasts_until_the_bounce"
 		),
 	]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

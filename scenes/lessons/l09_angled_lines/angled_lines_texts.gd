@@ -6,10 +6,10 @@ extends RefCounted
 ## The ways of stepping, in the order of [enum SteppingMethods.Method].
 static func methods() -> PackedStringArray:
 	return [
-		_translate("Position reset"),
-		_translate("Rest dropped"),
-		_translate("Rest used"),
-		_translate("Event world"),
+		LabText.translate("Position reset"),
+		LabText.translate("Rest dropped"),
+		LabText.translate("Rest used"),
+		LabText.translate("Event world"),
 	]
 
 
@@ -17,10 +17,10 @@ static func methods() -> PackedStringArray:
 static func headings(frames: int) -> PackedStringArray:
 	var seconds := roundi(frames * AngledLinesModel.FRAME)
 	return [
-		_translate("after %d s") % seconds,
-		_translate("E / E₀"),
-		_translate("error"),
-		_translate("run time"),
+		LabText.translate("after %d s") % seconds,
+		LabText.translate("E / E₀"),
+		LabText.translate("error"),
+		LabText.translate("run time"),
 	]
 
 
@@ -31,26 +31,26 @@ static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> 
 	var share := of.energy_share(method)
 	var text := NumberText.short(share)
 	if of.lost_count(method):
-		text = _translate("%s, %d lost") % [text, of.lost_count(method)]
+		text = LabText.translate("%s, %d lost") % [text, of.lost_count(method)]
 	if of.refusal(method):
-		text = _translate("stopped")
+		text = LabText.translate("stopped")
 	return [
 		_row_title(method),
 		text,
 		NumberText.size(share - 1.0) if of.keeps_energy() and not of.refusal(method) else "–",
-		_translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
+		LabText.translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
 	]
 
 
 static func _row_title(method: SteppingMethods.Method) -> String:
 	match method:
 		SteppingMethods.Method.POSITION_RESET:
-			return _translate("reset")
+			return LabText.translate("reset")
 		SteppingMethods.Method.POINT_OF_IMPACT:
-			return _translate("rest dropped")
+			return LabText.translate("rest dropped")
 		SteppingMethods.Method.WHOLE_FRAME:
-			return _translate("rest used")
-	return _translate("event world")
+			return LabText.translate("rest used")
+	return LabText.translate("event world")
 
 
 ## The note at the point of impact.
@@ -65,16 +65,16 @@ static func status(model: AngledLinesModel, milliseconds: float) -> String:
 	var counters := [world.frames, model.elapsed_seconds(), world.bounces, world.losses]
 	var cost := [milliseconds, milliseconds / AngledLinesModel.FRAME / 10.0]
 	return (
-		_translate("Frame %d = %.2f s    bounces %d    lost %d") % counters
+		LabText.translate("Frame %d = %.2f s    bounces %d    lost %d") % counters
 		+ "\n"
 		+ _energy(model)
 		+ "    "
-		+ _translate("script %.2f ms = %.1f %%") % cost
+		+ LabText.translate("script %.2f ms = %.1f %%") % cost
 	)
 
 
 static func _energy(model: AngledLinesModel) -> String:
-	var right := _translate("E / E₀ = %s") % _share(model.energy_share(model.world))
+	var right := LabText.translate("E / E₀ = %s") % _share(model.energy_share(model.world))
 	if not model.wrong_world:
 		return right
 	return right + "    ✗ " + _share(model.energy_share(model.wrong_world))
@@ -82,7 +82,3 @@ static func _energy(model: AngledLinesModel) -> String:
 
 static func _share(value: float) -> String:
 	return NumberText.short(value, 5)
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -15,34 +15,38 @@ static func infos() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			18,
-			_translate("D squared instead of rooted"),
-			_translate("(−b − D²) / 2a: a gap of 8 at speed 10 gives t = −64799, not 0.5."),
+			LabText.translate("D squared instead of rooted"),
+			LabText.translate("(−b − D²) / 2a: a gap of 8 at speed 10 gives t = −64799, not 0.5."),
 			"test_cap_impact.test_the_discriminant_is_rooted_not_squared"
 		),
 		MistakeInfo.new(
 			19,
-			_translate("negative D not tested"),
-			_translate(
+			LabText.translate("negative D not tested"),
+			LabText.translate(
 				"The root of D < 0 is NaN, and so are time, place and normal: no ball left."
 			),
 			"test_cap_impact.test_a_near_miss_has_no_time_and_no_normal"
 		),
 		MistakeInfo.new(
 			20,
-			_translate("time from the new position"),
-			_translate("t counted from the new position but added to the old: −0.5, not 0.5."),
+			LabText.translate("time from the new position"),
+			LabText.translate(
+				"t counted from the new position but added to the old: −0.5, not 0.5."
+			),
 			"test_cap_impact.test_the_time_counts_from_the_old_position"
 		),
 		MistakeInfo.new(
 			22,
-			_translate("end tested too late"),
-			_translate("Above the line AFTER the frame is not above it at the impact."),
+			LabText.translate("end tested too late"),
+			LabText.translate("Above the line AFTER the frame is not above it at the impact."),
 			"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame"
 		),
 		MistakeInfo.new(
 			23,
-			_translate("line without ends"),
-			_translate("Infinite, no caps or one-sided: compare the four small fields, marked ✗."),
+			LabText.translate("line without ends"),
+			LabText.translate(
+				"Infinite, no caps or one-sided: compare the four small fields, marked ✗."
+			),
 			"test_segment_impact.test_an_infinite_line_is_not_a_segment"
 		),
 	]
@@ -51,7 +55,3 @@ static func infos() -> Array[MistakeInfo]:
 ## The preset whose shot goes visibly wrong with the mistake [param number].
 static func telling_preset(number: int) -> String:
 	return _TELLING_PRESETS[number]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

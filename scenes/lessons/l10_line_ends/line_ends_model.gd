@@ -159,13 +159,13 @@ func outline(field: Field) -> Array[Vec2]:
 func problem() -> String:
 	for point: Vec2 in [start, motion, segment.start, segment.end]:
 		if maxf(absf(point.x), absf(point.y)) > LARGEST:
-			var sentence := _translate("%s is too far out: coordinates go from -1e6 to 1e6.")
+			var sentence := LabText.translate("%s is too far out: coordinates go from -1e6 to 1e6.")
 			return sentence % NumberText.pair(point.x, point.y)
 	if not (radius >= SMALLEST and radius <= LARGEST):
-		var sentence := _translate("A radius of %s cannot be: it goes from 0.001 to 1e6.")
+		var sentence := LabText.translate("A radius of %s cannot be: it goes from 0.001 to 1e6.")
 		return sentence % NumberText.short(radius)
 	if segment.length() < SMALLEST:
-		return _translate("The line must be at least 0.001 long: its ends must differ.")
+		return LabText.translate("The line must be at least 0.001 long: its ends must differ.")
 	return ""
 
 
@@ -234,7 +234,3 @@ func _result_of_miss(outcome: Impact.Outcome) -> Result:
 # The smallest distance between the centre and a point in this frame without a bounce, in pixels.
 func _clearance_of(point: Vec2) -> float:
 	return LineSegment.new(start, new_position()).closest_point(point).distance_to(point)
-
-
-func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

@@ -9,11 +9,11 @@ enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE }
 ## One sentence a step, translated.
 static func sentences() -> PackedStringArray:
 	return [
-		_translate("A vector is a list of numbers: two, three, four of them, or more."),
-		_translate("Multiply the first with the first, the second with the second, ..."),
-		_translate("... and add. One number comes out, whatever the dimension."),
-		_translate("Its sign alone tells whether the angle is below or above 90°."),
-		_translate("For the angle itself, divide by both lengths: that is its cosine."),
+		LabText.translate("A vector is a list of numbers: two, three, four of them, or more."),
+		LabText.translate("Multiply the first with the first, the second with the second, ..."),
+		LabText.translate("... and add. One number comes out, whatever the dimension."),
+		LabText.translate("Its sign alone tells whether the angle is below or above 90°."),
+		LabText.translate("For the angle itself, divide by both lengths: that is its cosine."),
 	]
 
 
@@ -25,26 +25,22 @@ static func verdict(model: MoreDimensionsModel) -> String:
 ## The words below the picture or the bars that replace it, translated.
 static func hint(model: MoreDimensionsModel) -> String:
 	if model.has_four:
-		return _translate("Four axes fit into no picture. The formula does not mind.")
-	return _translate("Drag beside the arrows to turn the axes.")
+		return LabText.translate("Four axes fit into no picture. The formula does not mind.")
+	return LabText.translate("Drag beside the arrows to turn the axes.")
 
 
 ## What the sign says of the angle, translated.
 static func sign_words(model: MoreDimensionsModel) -> String:
 	match model.side():
 		MoreDimensionsModel.Side.OBTUSE:
-			return _translate("the angle is above 90°")
+			return LabText.translate("the angle is above 90°")
 		MoreDimensionsModel.Side.ACUTE:
-			return _translate("the angle is below 90°")
+			return LabText.translate("the angle is below 90°")
 	if model.exact_cosine() == null:
-		return _translate("a zero vector makes no angle")
-	return _translate("a right angle")
+		return LabText.translate("a zero vector makes no angle")
+	return LabText.translate("a right angle")
 
 
 ## The sign of the comparison with 0.
 static func comparison(model: MoreDimensionsModel) -> String:
 	return ["<", "=", ">"][model.side() + 1]
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)

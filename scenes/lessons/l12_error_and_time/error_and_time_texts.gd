@@ -10,21 +10,21 @@ static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
 		found.append(MeasuredTexts.of(measurement.tuning))
 	found.append(
 		(
-			_translate("error %s, run time %s")
+			LabText.translate("error %s, run time %s")
 			% [error(measurement), run_time(measurement.run_time_us)]
 		)
 	)
 	if measurement.note:
 		found.append(MeasuredTexts.of(measurement.note))
 	if is_best:
-		found.append(_translate("on the frontier"))
+		found.append(LabText.translate("on the frontier"))
 	return found
 
 
 ## An error with its unit.
 static func error(measurement: Measurement) -> String:
 	if not measurement.has_answer():
-		return _translate("no answer")
+		return LabText.translate("no answer")
 	var unit := MeasuredTexts.of(measurement.error_unit)
 	return "%s %s" % [NumberText.size(measurement.error), unit]
 
@@ -32,10 +32,10 @@ static func error(measurement: Measurement) -> String:
 ## A time in the unit that suits it.
 static func run_time(microseconds: float) -> String:
 	if microseconds < 1.0:
-		return _translate("%s ns") % NumberText.short(microseconds * 1000.0, 3)
+		return LabText.translate("%s ns") % NumberText.short(microseconds * 1000.0, 3)
 	if microseconds < 1000.0:
-		return _translate("%s µs") % NumberText.short(microseconds, 3)
-	return _translate("%s ms") % NumberText.short(microseconds / 1000.0, 3)
+		return LabText.translate("%s µs") % NumberText.short(microseconds, 3)
+	return LabText.translate("%s ms") % NumberText.short(microseconds / 1000.0, 3)
 
 
 ## How far the work that [param model] shows is.
@@ -47,19 +47,15 @@ static func progress(model: ErrorAndTimeModel) -> String:
 
 static func _progress_of_stability(run: StabilityRun) -> String:
 	var counts: Array[int] = [run.passed_count(), run.done_count(), run.size()]
-	return _translate("%d of %d tried hold; %d in all.") % counts
+	return LabText.translate("%d of %d tried hold; %d in all.") % counts
 
 
 static func _progress_of_run(run: MeasuringRun) -> String:
 	if run.is_done():
-		var done := _translate("Done: the middle one of %d runs each, on this machine.")
+		var done := LabText.translate("Done: the middle one of %d runs each, on this machine.")
 		return done % MeasuringRun.ROUNDS
 	var counts: Array[int] = [run.done_count(), run.size()]
 	if run.is_going:
 		var method := MeasuredTexts.of(run.method_in_turn())
-		return _translate("Run %d of %d: ") % counts + method
-	return _translate("Stopped after %d of %d runs.") % counts
-
-
-static func _translate(sentence: String) -> String:
-	return TranslationServer.translate(sentence)
+		return LabText.translate("Run %d of %d: ") % counts + method
+	return LabText.translate("Stopped after %d of %d runs.") % counts
