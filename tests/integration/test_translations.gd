@@ -82,7 +82,7 @@ func _buttons_of_situations() -> Array[Button]:
 	return found
 
 
-# A language in which every known text stands between brackets.
+# A language in which every known text is in brackets.
 func _speak_another_language() -> void:
 	_old_locale = TranslationServer.get_locale()
 	_language = Translation.new()

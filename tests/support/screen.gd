@@ -57,7 +57,7 @@ static func texts(above: Node) -> PackedStringArray:
 	return found
 
 
-## What stands in each line of a formula, its parts put together.
+## The text of each line of a formula, its parts put together.
 static func lines(formula: Formula) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for row: Node in formula.get_children():

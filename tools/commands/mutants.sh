@@ -8,7 +8,7 @@ set -euo pipefail
 
 folder=$LAB_BUILD/mutants
 at_once=${MUTANTS_AT_ONCE:-2}
-# A test run hangs that prints nothing for so long, or has used up so much of a core.
+# A test run hangs if it prints nothing for this long, or has used up this much of a core.
 silence_seconds=20
 processor_seconds=30
 

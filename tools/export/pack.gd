@@ -6,7 +6,7 @@ const _FORMAT := 3
 const _HEAD_SIZE := 112
 const _ENCRYPTED_DIRECTORY := 1
 const _REMOVED_FILE := 2
-# Where in the head something stands.
+# Places in the head.
 const _FORMAT_AT := 4
 const _FLAGS_AT := 20
 const _BASE_AT := 24

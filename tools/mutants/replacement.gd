@@ -6,7 +6,7 @@ const Mutant := preload("mutant.gd")
 ## The file, such as scripts/vec2.gd.
 var file: String
 
-## What the change is, or why it stands in its list.
+## What the change is, or why it is in its list.
 var title: String
 
 ## The lines that go, each with its end of line. Together they must occur once in the file.

@@ -9,7 +9,7 @@ const MutantList := preload("mutant_list.gd")
 
 const FOLDER := "res://build/mutants"
 
-## So many of the small changes make up --quick, spread evenly over all.
+## This many of the small changes make up --quick, spread evenly over all.
 const QUICK_COUNT := 40
 
 var _pattern := ""

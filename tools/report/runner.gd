@@ -2,7 +2,7 @@ extends RefCounted
 ## Measures all methods at one problem: every case runs once, then every case a second time, and so
 ## on, so that a slow moment of the machine hits all alike.
 
-## The median of so many runs counts.
+## The median of this many runs counts.
 const RUNS := 5
 
 

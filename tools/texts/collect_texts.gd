@@ -3,7 +3,7 @@ extends SceneTree
 ## Usage: godot --headless --path . -s tools/texts/collect_texts.gd
 ##
 ## Taken are, from scripts: literals in tr("...") and in calls whose name ends in "translate", and
-## what stands in a declaration whose comment says "source text"; from scenes: the properties named
+## the texts in a declaration whose comment says "source text"; from scenes: the properties named
 ## below; from lessons: title and summary. Symbols such as "a" or "+" are the same in all languages.
 
 const FILE := "res://assets/translations/lab.pot"

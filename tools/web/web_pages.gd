@@ -44,7 +44,7 @@ static func demo_page(
 	return fill(filled, "config", _shared(between(page, "config"), demo, sizes))
 
 
-## What stands between the marks [param name] of [param page].
+## The text between the marks [param name] of [param page].
 static func between(page: String, name: String) -> String:
 	var start := page.find("<!-- %s -->" % name)
 	var end := page.find("<!-- /%s -->" % name)

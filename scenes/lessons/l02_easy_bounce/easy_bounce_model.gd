@@ -153,7 +153,7 @@ func swap_axes() -> void:
 # The frames.
 
 
-## The frame that is shown; 0 is the one in which [member ball] stands.
+## The frame that is shown; 0 is the one in which [member ball] is.
 func frame() -> int:
 	return floori(_elapsed)
 

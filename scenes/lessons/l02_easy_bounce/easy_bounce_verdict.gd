@@ -1,6 +1,6 @@
 class_name EasyBounceVerdict
 extends VerdictCard
-## Says whether the shown step of the easy program is right for the ball as it stands, and how far
+## Says whether the shown step of the easy program is right for the ball as it is, and how far
 ## off it is.
 
 
@@ -15,7 +15,7 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 	_keep_from_line(model)
 
 
-# Stands in the corner into which neither the line nor the balls reach.
+# Moves to the corner into which neither the line nor the balls reach.
 func _keep_from_line(model: EasyBounceModel) -> void:
 	var corner := Control.PRESET_BOTTOM_RIGHT
 	if model.is_wall and model.tilt_degrees < 0.0:

@@ -16,7 +16,7 @@ func show_model(model: NormalsModel, before: NormalsModel) -> void:
 		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
 
 
-## Stands in the corner behind v, into which neither v nor a normal of [param model] points.
+## Moves to the corner behind v, into which neither v nor a normal of [param model] points.
 func stand_behind(model: NormalsModel) -> void:
 	var v := model.v()
 	var points_down := (v.y < 0.0) == model.is_y_up

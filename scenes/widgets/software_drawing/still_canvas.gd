@@ -1,6 +1,6 @@
 class_name StillCanvas
 extends SubViewport
-## A picture of what stands still: drawn once, and again only when something in it changes.
+## A picture of what does not move: drawn once, and again only when something in it changes.
 ##
 ## Without a graphics card every pixel that is mixed and every letter costs time in every frame. The
 ## picture is put on the screen as it is, pixel for pixel, which is the cheapest drawing there is.

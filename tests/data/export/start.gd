@@ -1,5 +1,5 @@
 extends RefCounted
-# Axis names no class, and EventWorld stands in a comment only.
+# Axis names no class, and EventWorld is in a comment only.
 """EventWorld in a text that is no comment, and neither needed."""
 
 const Beside := preload("beside.gd")

@@ -1,5 +1,5 @@
 extends "res://addons/gut/test.gd"
-## A picture of what stands still: drawn again whenever something in it has changed, and only then.
+## A picture of what does not move: drawn again whenever something in it has changed, and only then.
 
 var _picture: StillPicture
 var _panel: ScrollContainer
