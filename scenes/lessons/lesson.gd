@@ -4,8 +4,8 @@ extends Control
 ##
 ## The frame brings the services that the lesson's [LessonInfo] needs and then calls [method start].
 ## There the lesson says what its state is ([method begin]) and how the student changes it:
-## [method on_edit], [method on_drag], [method on_move]. A change that returns a sentence was
-## refused: the sentence is shown, and the model is as it was.
+## [method on_edit], [method on_drag], [method on_move]. A change that cannot be made changes
+## nothing and returns a sentence, which is shown.
 
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
@@ -85,7 +85,8 @@ func on_enter(change: Callable) -> void:
 	on_edit(Signal(services[&"formula"], &"number_entered"), change)
 
 
-## When [param wire] is emitted, [param change] changes the model; nothing is kept for undo.
+## When [param wire] is emitted, as by what moves by itself, [param change] changes the model;
+## nothing is kept for undo. For what the student moves there is [method on_drag].
 func on_move(wire: Signal, change: Callable) -> void:
 	wire.connect(
 		func(...arguments: Array) -> void:
@@ -134,8 +135,8 @@ func show_all() -> void:
 	_show_again.call()
 
 
-## Tells these translated sentences, one for each step. Comes before [member step] is read: the last
-## step is shown first.
+## Tells these translated sentences, one for each step. Call it first in what shows the model: it
+## sets [member step], which is the last one at the start.
 func tell_steps(sentences: PackedStringArray) -> void:
 	services[&"steps"].call(&"tell", sentences)
 

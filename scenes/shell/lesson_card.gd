@@ -15,7 +15,9 @@ func _ready() -> void:
 func show_lesson(lesson: LessonInfo) -> void:
 	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson), tr(lesson.title)]
 	(%Summary as Label).text = lesson.summary
-	(%Picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
+	# A new lesson has none yet: ./lab pictures draws it.
+	if ResourceLoader.exists(lesson.card_path()):
+		(%Picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
 	accessibility_name = "%s. %s" % [(%Title as Label).text, tr(lesson.summary)]
 
 

@@ -94,7 +94,8 @@ func after_each() -> void:
 
 func test_each_link_opens_in_its_lesson_and_is_copied_again_as_it_was() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
-		for text: String in _GOOD[lesson.id]:
+		assert_has(_GOOD, lesson.id, "say in _GOOD which links %s takes" % lesson.id)
+		for text: String in _GOOD.get(lesson.id, []):
 			await _open_link(lesson, text)
 			assert_false(_notice().contains("link"), _notice())
 			var again := frame().link.text().trim_prefix(lesson.id + "?")
@@ -104,7 +105,8 @@ func test_each_link_opens_in_its_lesson_and_is_copied_again_as_it_was() -> void:
 
 func test_what_cannot_be_shown_is_named_and_the_lesson_stands_at_its_start() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
-		for text: String in _BAD[lesson.id]:
+		assert_has(_BAD, lesson.id, "say in _BAD which links %s refuses" % lesson.id)
+		for text: String in _BAD.get(lesson.id, {}):
 			await _open_link(lesson, text)
 			var sentence: String = _BAD[lesson.id][text]
 			assert_string_starts_with(_notice(), "This link cannot be opened: " + sentence)

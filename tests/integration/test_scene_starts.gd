@@ -34,6 +34,9 @@ func test_every_scene_shows_what_its_lesson_shows_at_the_start() -> void:
 
 func test_a_part_that_is_moved_in_a_scene_is_moved_in_the_lesson() -> void:
 	for lesson: LessonInfo in _lessons():
+		assert_has(_STARTS, lesson.id, "say in _STARTS what moves %s" % lesson.id)
+		if not _STARTS.has(lesson.id):
+			continue
 		await open_lesson(lesson)
 		var start := frame().lesson.state()
 		screen().free()

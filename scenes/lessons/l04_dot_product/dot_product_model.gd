@@ -13,7 +13,7 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Zero": {a = [7, 1], a_from = [0, 0], b = [0, 0], b_from = [0, 0]},
 }
 
-## Tail and head of vector a.
+## Tail and head of vector a. The lecture's numbers: the lesson starts with those in its scene.
 var a_tail := Vec2.new()
 var a_head := Vec2.new(7.0, 1.0)
 ## Tail and head of vector b.
