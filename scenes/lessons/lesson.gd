@@ -47,7 +47,9 @@ func _enter_tree() -> void:
 ## board is fitted to the points that [param points] returns, except during a drag. An error if the
 ## lesson cannot show the model as it is now: then a value in the scene is wrong.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
-	var problem := model.problem_in(model.link_state())
+	var problem := _not_finite(model.link_state())
+	if not problem:
+		problem = model.problem_in(model.link_state())
 	if problem:
 		push_error(problem)
 		return
@@ -194,3 +196,13 @@ func show_link(linked: Dictionary) -> void:
 func _notice(problem: Variant) -> void:
 	if problem is String:
 		noticed.emit(problem)
+
+
+# "" if every number of a state is finite; else which is not. For people who write lessons.
+static func _not_finite(numbers: Dictionary) -> String:
+	for key: String in numbers:
+		if typeof(numbers[key]) in [TYPE_FLOAT, TYPE_PACKED_FLOAT64_ARRAY]:
+			var text := var_to_str(numbers[key])
+			if text.contains("nan") or text.contains("inf"):
+				return "%s must be finite at the start, not %s." % [key, text]
+	return ""

@@ -40,9 +40,32 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 @onready var _redo: Button = %Redo
 
 
+## Notes the first error that is logged while it listens.
+class ErrorCatcher:
+	extends Logger
+	## What went wrong; "" while nothing did.
+	var first := ""
+
+	func _log_error(
+		function: String,
+		file: String,
+		line: int,
+		code: String,
+		rationale: String,
+		_editor_notify: bool,
+		error_type: int,
+		_script_backtraces: Array[ScriptBacktrace]
+	) -> void:
+		if first or error_type == ERROR_TYPE_WARNING:
+			return
+		var what := rationale if rationale else code
+		first = "%s (%s:%d, %s)" % [what, file.get_file(), line, function]
+
+
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
 	Signs.add_to_font()
@@ -123,6 +146,10 @@ func _say_why_not_opened(why: String) -> void:
 	if lesson:
 		lesson.queue_free()
 	lesson = null
+	for service in _services.get_children():
+		service.queue_free()
+	for button: Button in [%Reset, %CopyLink]:
+		button.disabled = true
 	var words := Label.new()
 	words.text = tr("The lesson “%s” could not be opened: %s") % [lesson_info.id, why]
 	words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART

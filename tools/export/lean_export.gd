@@ -41,7 +41,12 @@ func _export_begin(
 		_files_before[file] = FileAccess.get_file_as_bytes(file)
 	_write(_CLASSES, classes_of(files, _files_before[_CLASSES]))
 	_write(_IDS, ids_of(_named_in_scenes(files), _files_before[_IDS]))
-	for setting: String in unused_settings(files):
+	var left_out := unused_settings(files)
+	var actions := actions_in_settings(left_out)
+	add_file(InputActions.FILE, InputActions.packed(actions), false)
+	for action: StringName in actions:
+		left_out.append(_ACTION + action)
+	for setting: String in left_out:
 		_settings_before[setting] = ProjectSettings.get_setting(setting)
 		_orders_before[setting] = ProjectSettings.get_order(setting)
 		ProjectSettings.clear(setting)
@@ -111,6 +116,19 @@ static func ids_of(files: PackedStringArray, list: PackedByteArray) -> PackedByt
 	var head := PackedByteArray([0, 0, 0, 0])
 	head.encode_u32(0, count)
 	return head + entries
+
+
+## The events of each input action in the project's own settings, without the settings
+## [param left_out].
+static func actions_in_settings(left_out: PackedStringArray) -> Dictionary[StringName, Array]:
+	var settings := ConfigFile.new()
+	settings.load("res://project.godot")
+	var found: Dictionary[StringName, Array] = {}
+	for name: String in settings.get_section_keys("input"):
+		if not _ACTION + name in left_out:
+			var action: Dictionary = settings.get_value("input", name)
+			found[StringName(name)] = action["events"]
+	return found
 
 
 ## The settings that a pack with these files does not need: the project's own input actions that

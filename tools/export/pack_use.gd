@@ -7,7 +7,10 @@ const Pack := preload("pack.gd")
 
 ## What the engine itself reads from a pack.
 const ENGINE_FILES: PackedStringArray = [
-	"project.binary", ".godot/global_script_class_cache.cfg", ".godot/uid_cache.bin"
+	"project.binary",
+	".godot/global_script_class_cache.cfg",
+	".godot/uid_cache.bin",
+	"input_actions.bin"
 ]
 const _CARD := "res://scenes/shell/lesson_card.gd"
 

@@ -37,12 +37,17 @@ func move_to(x: float, y: float) -> void:
 	value = Vector2(x, y)
 
 
-## Takes the number that has this name in the formula: `x` or `y` of both.
-func enter(name_in_line: String, number: float) -> void:
+## Takes the number that has this name in the formula: `x` or `y` of both. "" if it could be taken;
+## else one translated sentence, and nothing changes.
+func enter(name_in_line: String, number: float) -> String:
+	var problem := StateCheck.within(name_in_line, number, -LARGEST, LARGEST)
+	if problem:
+		return problem
 	if name_in_line == "x":
 		move_to(number, position.y)
 	else:
 		move_to(position.x, number)
+	return ""
 
 
 ## Begins anew: what is remembered is [param old_place], then both are moved to [param place].

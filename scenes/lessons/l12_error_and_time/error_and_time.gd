@@ -31,6 +31,9 @@ var _has_pointed := false
 
 func start() -> void:
 	_model = ErrorAndTimeModel.new(_engine_cases)
+	if _model.place_of(first_problem) < 0:
+		push_error("There is no problem “%s”." % first_problem)
+		return
 	_model.choose_problem(_model.place_of(first_problem))
 	_formula = ErrorAndTimeFormula.new(services[&"formula"] as Formula)
 	_readout = ErrorAndTimeReadout.new(services[&"readout"] as Readout)

@@ -78,6 +78,8 @@ func _draw() -> void:
 func to_screen(point: Vec2) -> Vector2:
 	var limit := 1e6
 	var from_middle := point.minus(_middle).scaled(pixels_per_unit)
+	if not from_middle.is_finite():
+		return Vector2(limit, limit)
 	from_middle.limit_length(limit)
 	from_middle.y *= y_sign()
 	return from_middle.to_vector2() + size / 2.0

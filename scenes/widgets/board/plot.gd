@@ -80,6 +80,8 @@ func _draw_curve() -> void:
 
 func _draw_point() -> void:
 	var at := _pixel(_x, _value_at(_x))
+	if not at.is_finite():
+		return
 	var color := Palette.color(role)
 	draw_dashed_line(_pixel(_x, 0.0), at, color, 2.0, 5.0)
 	draw_circle(at, 7.0, Palette.PAPER, true, -1.0, true)

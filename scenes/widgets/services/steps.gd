@@ -50,6 +50,8 @@ func tell(sentences: PackedStringArray) -> void:
 
 ## Goes to a step, counted from 0; stays inside the first and the last.
 func go_to(at: int) -> void:
+	if _sentences.is_empty():
+		return
 	var wanted := clampi(at, 0, _sentences.size() - 1)
 	if wanted != _step:
 		_step = wanted

@@ -84,3 +84,11 @@ func test_only_the_shared_vec2_changes_under_its_other_name() -> void:
 func test_the_mistake_of_taking_an_assignment_for_a_copy_is_named() -> void:
 	var verdict := SharingExercise.new(SharingExercise.Kind.VEC2, 3, 4, 9).check([3.0])
 	assert_string_contains(verdict.sentence, "second name, not a copy")
+
+
+func test_a_number_too_large_for_a_vector2_is_refused() -> void:
+	var model := ClassOrValueModel.new()
+	var before := model.to_dictionary()
+	assert_string_contains(model.enter("x", 1e39), "1e+38")
+	assert_eq(model.to_dictionary(), before)
+	assert_eq(model.enter("y", -1e38), "")
