@@ -20,6 +20,15 @@ const _OWN_ACTIONS := "input/lab_"
 const _WORDS_FOR_ACTIONS := "res://scenes/shell/input_help.gd"
 # Which plugins the editor has to start.
 const _PLUGINS := "editor_plugins/enabled"
+# Settings that only the editor reads: a pack has them at their defaults, which take no room.
+const _OF_THE_EDITOR: PackedStringArray = [
+	"application/config/description",
+	"debug/gdscript/warnings/untyped_declaration",
+	"debug/gdscript/warnings/unsafe_property_access",
+	"debug/gdscript/warnings/unsafe_method_access",
+	"debug/gdscript/warnings/unsafe_cast",
+	"debug/gdscript/warnings/unsafe_call_argument",
+]
 
 var _files_before: Dictionary[String, PackedByteArray] = {}
 var _settings_before: Dictionary[String, Variant] = {}
@@ -50,6 +59,10 @@ func _export_begin(
 		_settings_before[setting] = ProjectSettings.get_setting(setting)
 		_orders_before[setting] = ProjectSettings.get_order(setting)
 		ProjectSettings.clear(setting)
+	for setting: String in _OF_THE_EDITOR:
+		_settings_before[setting] = ProjectSettings.get_setting(setting)
+		_orders_before[setting] = ProjectSettings.get_order(setting)
+		ProjectSettings.set_setting(setting, ProjectSettings.property_get_revert(setting))
 
 
 func _export_end() -> void:
