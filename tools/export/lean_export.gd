@@ -3,10 +3,11 @@ extends EditorExportPlugin
 ## Makes packs smaller, in exports from the editor and from a command line alike.
 ##
 ## Godot 4.6 puts into every pack what belongs to the whole project: two files of its cache, with
-## the class names and the ids of ALL files, tests included, 100 KB of them, every input action, and
-## the list of the editor's plugins. (Later versions leave the classes and ids out themselves.)
-## While it exports, those files and settings hold what the exported files need; afterwards they are
-## as they were. Scenes and resources are compressed, which Godot does with scripts only.
+## the class names and the ids of ALL files, tests included, 100 KB of them, and every input action.
+## (Later versions leave the classes and ids out themselves.) While it exports, those files hold
+## what the exported files need, the input actions are in one compressed file, and settings that
+## only the editor reads are at their defaults; afterwards all are as they were. Scenes and
+## resources are compressed, which Godot does with scripts only.
 
 const WrittenCode := preload("written_code.gd")
 
