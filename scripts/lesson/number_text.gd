@@ -48,6 +48,21 @@ static func factor(value: float, digits: int = 4) -> String:
 	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
 
 
+## The number that [method short] shows: [param value] with [param digits] digits.
+static func rounded(value: float, digits: int = 4) -> float:
+	return parse(short(value, digits)) if is_finite(value) else value
+
+
+## One unit of the last digit that [method short] shows of [param value], if no zero were left out:
+## 0.01 for 12.5 with 4 digits, and 1 from 1000 on; 0 for 0 and for what is not finite.
+static func last_digit(value: float, digits: int = 4) -> float:
+	if value == 0.0 or not is_finite(value):
+		return 0.0
+	var exponent := floori(log(absf(value)) / log(10.0) + 1e-12)
+	var last := exponent - digits + 1
+	return pow(10.0, last if _is_unhandy(value) else mini(last, 0))
+
+
 ## "" if [param text] is a number that the lab takes; else one sentence with the text and what is
 ## allowed.
 static func problem(text: String) -> String:

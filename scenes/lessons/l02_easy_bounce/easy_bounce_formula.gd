@@ -73,7 +73,7 @@ func _put_ball(model: EasyBounceModel, moved: Ball) -> void:
 	_formula.put_number(
 		"tilt", model.tilt_degrees, Palette.Role.INK, tr("Tilt of the line in degrees")
 	)
-	_formula.put_result("frame", model.frame(), Palette.Role.INK)
+	_formula.put_number("frame", model.frame(), Palette.Role.INK)
 
 
 func _put_easy(model: EasyBounceModel, moved: Ball) -> void:
@@ -83,9 +83,9 @@ func _put_easy(model: EasyBounceModel, moved: Ball) -> void:
 	_formula.put_number("line_at", model.line_at(moved.position), Palette.Role.INK)
 	_formula.put_number("p_axis", _on_axis(moved, model), Palette.Role.INK)
 	_formula.put_number("radius", moved.radius, Palette.Role.INK)
-	_formula.put_result("straight", model.straight_distance(moved.position), Palette.Role.B)
+	_formula.put_number("straight", model.straight_distance(moved.position), Palette.Role.B)
 	_formula.put_text("easy_hit", hit, Palette.Role.B)
-	_formula.put_result("back", _on_axis(easy, model), Palette.Role.B)
+	_formula.put_number("back", _on_axis(easy, model), Palette.Role.B)
 	_formula.put_vector("v_easy", easy.velocity, Palette.Role.B)
 
 
@@ -95,7 +95,7 @@ func _put_right(model: EasyBounceModel, moved: Ball) -> void:
 	var hit := EasyBounceTexts.hit_text(LineDistance.is_overlapping(moved, model.line()))
 	_formula.put_symbol("right", tr("right:"), Palette.Role.A)
 	_formula.put_symbol("n", "n̂", Palette.Role.UNIT)
-	_formula.put_result("shortest", model.shortest_distance(moved.position), Palette.Role.A)
+	_formula.put_number("shortest", model.shortest_distance(moved.position), Palette.Role.A)
 	_formula.put_text("right_hit", hit, Palette.Role.A)
 	_formula.put_vector("p_right", right.position, Palette.Role.A)
 	_formula.put_number("depth", maxf(-gap, 0.0), Palette.Role.A)

@@ -21,9 +21,9 @@ func show_model(model: ProjectionProofModel) -> void:
 	_put_both_vectors(model)
 	_put_angle(model)
 	_formula.put_symbol("p", "p", Palette.Role.PROJECTION)
-	_formula.put_result("scalar", model.dot_with_unit(), Palette.Role.PROJECTION)
+	_formula.put_number("scalar", model.dot_with_unit(), Palette.Role.PROJECTION)
 	var difference := model.x_of_turned_a() - model.dot_with_unit()
-	_formula.put_result("difference", difference, Palette.Role.INK)
+	_formula.put_number("difference", difference, Palette.Role.INK)
 
 
 ## Puts in the numbers that change during the turn, and shows the lines of [param step].
@@ -88,8 +88,8 @@ func _put_angle(model: ProjectionProofModel) -> void:
 	_formula.put_symbol("e", ProjectionProofTexts.UNIT, Palette.Role.UNIT)
 	_formula.put_number("cosine", model.cosine(), Palette.Role.UNIT)
 	_formula.put_number("sine", model.sine(), Palette.Role.UNIT)
-	_formula.put_result("cosine_value", model.cosine(), Palette.Role.UNIT)
-	_formula.put_result("sine_value", model.sine(), Palette.Role.UNIT)
+	_formula.put_number("cosine_value", model.cosine(), Palette.Role.UNIT)
+	_formula.put_number("sine_value", model.sine(), Palette.Role.UNIT)
 
 
 static func _without_rounding(vector: Vec2) -> Vec2:

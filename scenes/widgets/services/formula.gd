@@ -13,17 +13,23 @@ signal role_pointed(role: Palette.Role)
 ## A sentence on what was typed and cannot be taken; "" once it can.
 signal refused(message: String)
 
-const _NAME_PATTERN := "\\{(\\w+)\\}"
+const _NAME := "\\{(\\w+)\\}"
+# Between two statements in a line there is a wide gap.
+const _GAP := "\\s{3,}"
 
 var _roles: Dictionary[String, Palette.Role] = {}
 var _symbols: Dictionary[String, String] = {}
-var _editable: Dictionary[String, String] = {}
+var _titles: Dictionary[String, String] = {}
 var _texts: Dictionary[String, String] = {}
-var _values: Dictionary[String, float] = {}
-var _parts: Dictionary[String, Array] = {}
+var _numbers: Dictionary[String, FormulaStatement.Number] = {}
 var _shown: PackedStringArray = []
+# The statements that are shown, and for each the labels and fields of its names.
+var _statements: Array[FormulaStatement] = []
+var _parts: Array[Array] = []
+var _names: Array[PackedStringArray] = []
 
-@onready var _name_finder := RegEx.create_from_string(_NAME_PATTERN)
+@onready var _name_finder := RegEx.create_from_string(_NAME)
+@onready var _gap_finder := RegEx.create_from_string(_GAP)
 
 
 ## A symbol, such as `b̂`, in the color of [param role].
@@ -35,45 +41,55 @@ func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> voi
 
 
 ## A number in the color of [param role]. With a [param title], such as `x of a`, it can be typed
-## over.
+## over. [FormulaStatement] finds how many digits it needs.
 func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
 	if title:
-		_editable[name_in_line] = title
-	_values[name_in_line] = value
-	put_text(name_in_line, NumberText.factor(value), role)
-
-
-## A number at the end of a line, in the color of [param role]: unlike a factor, a negative one has
-## no parentheses around it.
-func put_result(name_in_line: String, value: float, role: Palette.Role) -> void:
-	put_text(name_in_line, NumberText.short(value), role)
+		_titles[name_in_line] = title
+	_put(name_in_line, [value], 0.0, role)
 
 
 ## A pair of numbers, such as (4, -3), in the color of [param role].
 func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
-	put_text(name_in_line, NumberText.pair(vector.x, vector.y), role)
+	_put(name_in_line, [vector.x, vector.y], 0.0, role)
+
+
+## A sum of terms whose sizes add up to [param scale], in the color of [param role]. What is left
+## of it by rounding alone is shown as 0. For a sum that the line itself does not show in numbers.
+func put_sum(name_in_line: String, value: float, scale: float, role: Palette.Role) -> void:
+	_put(name_in_line, [value], scale, role)
+
+
+## The same for a pair, such as a difference of vectors.
+func put_vector_sum(name_in_line: String, vector: Vec2, scale: float, role: Palette.Role) -> void:
+	_put(name_in_line, [vector.x, vector.y], scale, role)
 
 
 ## A text, translated, in the color of [param role].
 func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
 	_set_role(name_in_line, role)
+	_numbers.erase(name_in_line)
 	_texts[name_in_line] = text
-	if _parts.has(name_in_line):
-		for part: Control in _parts[name_in_line]:
-			_fill(part, name_in_line)
 
 
-## Shows these lines from top to bottom; does nothing where they are shown already.
+## Shows these lines from top to bottom, with what has been put in.
 func show_lines(lines: PackedStringArray) -> void:
-	if lines == _shown:
-		return
-	_shown = lines
-	_parts.clear()
-	for child in get_children():
-		remove_child(child)
-		child.queue_free()
-	for line in lines:
-		_add_line(line)
+	if lines != _shown:
+		_shown = lines
+		_lay_out(lines)
+	for i in _statements.size():
+		_fill(i)
+
+
+func _put(
+	name_in_line: String, components: PackedFloat64Array, scale: float, role: Palette.Role
+) -> void:
+	_set_role(name_in_line, role)
+	if not _numbers.has(name_in_line):
+		_numbers[name_in_line] = FormulaStatement.Number.new()
+	var number := _numbers[name_in_line]
+	number.components = components
+	number.scale = scale
+	number.is_typed = _titles.has(name_in_line)
 
 
 # Lines that are shown already have to be laid out anew when a color in them changes.
@@ -83,16 +99,39 @@ func _set_role(name_in_line: String, role: Palette.Role) -> void:
 	_roles[name_in_line] = role
 
 
-func _add_line(line: String) -> void:
-	var row := HFlowContainer.new()
-	row.add_theme_constant_override(&"h_separation", 0)
-	add_child(row)
+func _lay_out(lines: PackedStringArray) -> void:
+	for child in get_children():
+		remove_child(child)
+		child.queue_free()
+	_statements.clear()
+	_parts.clear()
+	_names.clear()
+	for line in lines:
+		var row := HFlowContainer.new()
+		row.add_theme_constant_override(&"h_separation", 0)
+		add_child(row)
+		var at := 0
+		for gap in _gap_finder.search_all(line):
+			_add_statement(row, line.substr(at, gap.get_start() - at))
+			_add_plain(row, gap.get_string())
+			at = gap.get_end()
+		_add_statement(row, line.substr(at))
+
+
+func _add_statement(row: Control, statement: String) -> void:
+	var names: PackedStringArray = []
+	var parts: Array[Control] = []
 	var at := 0
-	for found in _name_finder.search_all(line):
-		_add_plain(row, line.substr(at, found.get_start() - at))
-		_add_named(row, found.get_string(1))
+	for found in _name_finder.search_all(statement):
+		_add_plain(row, statement.substr(at, found.get_start() - at))
+		names.append(found.get_string(1))
+		parts.append(_new_part(names[-1]))
+		row.add_child(parts[-1])
 		at = found.get_end()
-	_add_plain(row, line.substr(at))
+	_add_plain(row, statement.substr(at))
+	_statements.append(FormulaStatement.new(statement))
+	_names.append(names)
+	_parts.append(parts)
 
 
 func _add_plain(row: Control, text: String) -> void:
@@ -100,23 +139,18 @@ func _add_plain(row: Control, text: String) -> void:
 		row.add_child(_new_label(text))
 
 
-func _add_named(row: Control, name_in_line: String) -> void:
+func _new_part(name_in_line: String) -> Control:
 	var part: Control
-	if _editable.has(name_in_line):
+	if _titles.has(name_in_line):
 		part = _new_field(name_in_line)
 	else:
 		var symbol: String = _symbols.get(name_in_line, "")
-		var label := _new_label(symbol)
-		label.add_theme_color_override(&"font_color", Palette.color(_roles[name_in_line]))
-		part = label
-	part.mouse_filter = Control.MOUSE_FILTER_STOP if part is LineEdit else Control.MOUSE_FILTER_PASS
+		part = _new_label(symbol)
+		part.add_theme_color_override(&"font_color", Palette.color(_roles[name_in_line]))
+		part.mouse_filter = Control.MOUSE_FILTER_PASS
 	part.mouse_entered.connect(role_pointed.emit.bind(_roles[name_in_line]))
 	part.mouse_exited.connect(role_pointed.emit.bind(Palette.Role.INK))
-	row.add_child(part)
-	if not _parts.has(name_in_line):
-		_parts[name_in_line] = []
-	_parts[name_in_line].append(part)
-	_fill(part, name_in_line)
+	return part
 
 
 func _new_label(text: String) -> Label:
@@ -129,8 +163,8 @@ func _new_label(text: String) -> Label:
 
 func _new_field(name_in_line: String) -> NumberField:
 	var field := NumberField.new()
-	field.accessibility_name = _editable[name_in_line]
-	field.tooltip_text = _editable[name_in_line]
+	field.accessibility_name = _titles[name_in_line]
+	field.tooltip_text = _titles[name_in_line]
 	field.add_theme_color_override(&"font_color", Palette.color(_roles[name_in_line]))
 	field.number_entered.connect(
 		func(value: float) -> void: number_entered.emit(name_in_line, value)
@@ -139,9 +173,15 @@ func _new_field(name_in_line: String) -> NumberField:
 	return field
 
 
-func _fill(part: Control, name_in_line: String) -> void:
-	if part is NumberField:
-		var value: float = _values.get(name_in_line, 0.0)
-		(part as NumberField).show_number(value)
-	elif _texts.has(name_in_line):
-		(part as Label).text = _texts[name_in_line]
+# Writes what was put in into the labels and fields of a statement.
+func _fill(statement: int) -> void:
+	var texts := _statements[statement].texts(_numbers)
+	for i in texts.size():
+		var name_in_line := _names[statement][i]
+		var part: Control = _parts[statement][i]
+		if part is NumberField:
+			(part as NumberField).show_number(_numbers[name_in_line].components[0], texts[i])
+		elif _numbers.has(name_in_line):
+			(part as Label).text = texts[i]
+		elif _texts.has(name_in_line):
+			(part as Label).text = _texts[name_in_line]

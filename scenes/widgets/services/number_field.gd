@@ -1,7 +1,7 @@
 class_name NumberField
 extends LineEdit
 ## A number that can be typed over. What is not a number is refused with a sentence; the old value
-## stays.
+## stays. While the field has the focus, it shows all digits of a long number.
 
 ## Enter was pressed, or the field left, with a new number in it.
 signal number_entered(value: float)
@@ -9,6 +9,7 @@ signal number_entered(value: float)
 signal refused(message: String)
 
 var _value := 0.0
+var _short_text := ""
 var _refused_text := ""
 
 
@@ -16,16 +17,25 @@ func _ready() -> void:
 	expand_to_text_length = true
 	select_all_on_focus = true
 	add_theme_constant_override(&"minimum_character_width", 1)
+	focus_entered.connect(_show_all_digits)
 	text_submitted.connect(_enter)
 	focus_exited.connect(_leave)
 
 
-## Shows [param value]. What the student is just typing here stays until the value changes.
-func show_number(value: float) -> void:
+## Shows [param value], written as [param short_text] until the field gets the focus. What the
+## student is just typing here stays until the value changes.
+func show_number(value: float, short_text: String) -> void:
 	if has_focus() and value == _value:
 		return
 	_value = value
-	text = NumberText.typed(value)
+	_short_text = short_text.replace(NumberText.MINUS, "-")
+	text = NumberText.typed(value) if has_focus() else _short_text
+
+
+# The engine selects all before this is called.
+func _show_all_digits() -> void:
+	text = NumberText.typed(_value)
+	select_all.call_deferred()
 
 
 func _enter(typed: String) -> void:
@@ -37,6 +47,7 @@ func _enter(typed: String) -> void:
 		_refused_text = typed
 		return
 	_value = NumberText.parse(typed)
+	_short_text = typed
 	number_entered.emit(_value)
 
 
@@ -46,6 +57,8 @@ func _leave() -> void:
 		text = NumberText.typed(_value)
 	_refused_text = ""
 	_enter(text)
+	if text == NumberText.typed(_value):
+		text = _short_text
 
 
 func _gui_input(event: InputEvent) -> void:

@@ -94,6 +94,18 @@ func test_a_field_that_is_left_untouched_changes_nothing() -> void:
 	assert_a([0, 0, -3, -4])
 
 
+func test_a_long_number_shows_all_its_digits_only_while_its_field_has_the_focus() -> void:
+	var state := frame().lesson.state()
+	state["a"] = PackedFloat64Array([5.0 * sqrt(2.0), 1.0])
+	frame().lesson.show_state(state)
+	assert_eq(field("x of a").text, "7.071")
+	await student.click(field("x of a"))
+	assert_eq(field("x of a").text, "7.07106781187")
+	await student.click(field("y of a"))
+	assert_eq(field("x of a").text, "7.071")
+	assert_a([0, 0, 5.0 * sqrt(2.0), 1.0])
+
+
 func test_a_number_that_was_not_entered_is_lost_without_an_error_on_the_way_back() -> void:
 	Navigation.open_lesson(get_tree(), LessonIndex.find(&"dot_product"))
 	await student.settle()

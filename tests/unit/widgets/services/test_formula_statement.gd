@@ -1,0 +1,103 @@
+extends LabTest
+## How many digits the numbers of a statement have, and what is said of rounding.
+
+var _numbers: Dictionary[String, FormulaStatement.Number] = {}
+
+
+func before_each() -> void:
+	_numbers.clear()
+
+
+func test_a_sum_has_four_digits_where_these_suffice() -> void:
+	var statement := FormulaStatement.new("{u} · {w} = {ux}·{wx} + {uy}·{wy} = {dot}")
+	_put({ux = 7.0, wx = 8.0, uy = 1.0, wy = -6.0, dot = 50.0})
+	_assert_texts(statement, ["", "", "7", "8", "1", "(−6)", "50"])
+
+
+func test_numbers_have_more_digits_where_the_result_needs_them() -> void:
+	var statement := FormulaStatement.new("u · w = {ux}·{wx} + {uy}·{wy} = {dot}")
+	_put({ux = 6.0001, wx = 8.0, uy = 8.0, wy = -6.0, dot = 6.0001 * 8.0 - 48.0})
+	_assert_texts(statement, ["6.0001", "8", "8", "(−6)", "0.0008"])
+
+
+func test_a_result_that_is_rounding_is_said_to_be_so() -> void:
+	var statement := FormulaStatement.new("{x} = {ux}·{wx} + {uy}·{wy} = {dot}")
+	_put({ux = 3.0, wx = 0.8, uy = 4.0, wy = -0.6, dot = 4.44e-16})
+	_assert_texts(statement, ["", "3", "0.8", "4", "(−0.6)", "0 (rounding: 4.4e−16)"])
+
+
+func test_a_small_result_of_exact_numbers_is_not_rounding() -> void:
+	var statement := FormulaStatement.new("{a} − {b} = {c}")
+	_put({a = 1e-9, b = 3e-9, c = -2e-9})
+	_assert_texts(statement, ["1e−9", "3e−9", "−2e−9"])
+
+
+func test_components_of_a_pair_are_computed_apart() -> void:
+	var statement := FormulaStatement.new("n = ( −({ly}), {lx} ) / {length} = {n}")
+	var length := Vec2.new(3.0, 4.00001).length()
+	_put({ly = 4.00001, lx = 3.0, length = length})
+	_numbers["n"] = _number([-4.00001 / length, 3.0 / length])
+	_assert_texts(statement, ["4", "3", "5", "(−0.8, 0.6)"])
+
+
+func test_a_product_of_a_number_and_a_pair_is_computed() -> void:
+	var statement := FormulaStatement.new("{v} − {k} · {part} {n} = {w}")
+	_put({k = 1.5, part = 1.6, n = 0.0, w = 0.0})
+	_numbers["v"] = _number([28.0, 4.0])
+	_numbers["n"] = _number([0.0, 1.0])
+	_numbers["w"] = _number([28.0, 1.6])
+	_assert_texts(statement, ["(28, 4)", "1.5", "1.6", "(0, 1)", "(28, 1.6)"])
+
+
+func test_lengths_roots_and_squares_are_computed() -> void:
+	var statement := FormulaStatement.new("|w| = √({x}² + {y}²) = {length}")
+	_put({x = 1000.4, y = 1e-3, length = sqrt(1000.4 ** 2 + 1e-6)})
+	_assert_texts(statement, ["1000", "0.001", "1000"])
+	var difference := FormulaStatement.new("|{x}| − {y} = {z}")
+	_put({x = -1000.4, y = 1000.0, z = 0.4})
+	_assert_texts(difference, ["(−1000.4)", "1000", "0.4"])
+
+
+func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
+	var statement := FormulaStatement.new("(a − p) · b = {check}")
+	_put({check = 1.8e-15})
+	_assert_texts(statement, ["1.8e−15"])
+	_numbers["check"].scale = 50.0
+	_assert_texts(statement, ["0 (rounding: 1.8e−15)"])
+
+
+func test_a_side_with_words_is_not_computed() -> void:
+	var statement := FormulaStatement.new("{easy} floor − y = {at} − {y} = {distance} {hit}")
+	_put({at = 200.0, y = 190.5, distance = 9.5})
+	_assert_texts(statement, ["", "200", "190.5", "9.5", ""])
+
+
+func test_a_typed_number_counts_as_it_was_typed() -> void:
+	var statement := FormulaStatement.new("{typed} − {y} = {z}")
+	_put({typed = 1.0000001, y = 1.0, z = 1.0000001 - 1.0})
+	_numbers["typed"].is_typed = true
+	assert_eq(statement.texts(_numbers)[2], "1e−7")
+
+
+func test_a_long_number_in_a_field_is_shortened() -> void:
+	var statement := FormulaStatement.new("a = ( {x} , {y} )")
+	_put({x = 5.0 * sqrt(2.0), y = -0.0001234})
+	_numbers["x"].is_typed = true
+	_numbers["y"].is_typed = true
+	_assert_texts(statement, ["7.071", "−0.0001234"])
+
+
+func _put(values: Dictionary) -> void:
+	for key: String in values:
+		var value: float = values[key]
+		_numbers[key] = _number([value])
+
+
+func _number(components: PackedFloat64Array) -> FormulaStatement.Number:
+	var number := FormulaStatement.Number.new()
+	number.components = components
+	return number
+
+
+func _assert_texts(statement: FormulaStatement, wanted: PackedStringArray) -> void:
+	assert_eq(statement.texts(_numbers), wanted)
