@@ -10,8 +10,9 @@ extends Control
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
 signal edited
-## Everything is about to be shown after a complete change: the time to fit a view and to measure.
-signal settled
+## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
+## to measure.
+signal about_to_show
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
@@ -24,7 +25,7 @@ var step: int:
 		return services[&"steps"].get(&"step") if services.has(&"steps") else 0
 
 var _kept_model: LessonModel
-var _show_again: Callable
+var _show_model: Callable
 var _points_to_show: Callable
 
 ## The board on which the lesson draws.
@@ -54,7 +55,7 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 		push_error(problem)
 		return
 	_kept_model = model
-	_show_again = show_model
+	_show_model = show_model
 	_points_to_show = points
 	resized.connect(show_all)
 	for service: Control in services.values():
@@ -63,12 +64,12 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 	show_all()
 
 
-## When [param wire] is emitted, [param change] changes the model; the change is complete.
-func on_edit(wire: Signal, change: Callable) -> void:
-	wire.connect(
+## When [param trigger] is emitted, [param change] changes the model; the change is complete.
+func on_edit(trigger: Signal, change: Callable) -> void:
+	trigger.connect(
 		func(...arguments: Array) -> void:
 			var problem: Variant = change.callv(arguments)
-			finish()
+			finish_edit()
 			_notice(problem)
 	)
 
@@ -78,7 +79,7 @@ func on_edit(wire: Signal, change: Callable) -> void:
 func on_drag(moved: Signal, released: Signal, change: Callable) -> void:
 	moved.connect(func(..._arguments: Array) -> void: pause())
 	on_move(moved, change)
-	released.connect(finish)
+	released.connect(finish_edit)
 
 
 ## When a number in the formula is typed over, [param change] gets its name and its new value; the
@@ -87,13 +88,13 @@ func on_enter(change: Callable) -> void:
 	on_edit(Signal(services[&"formula"], &"number_entered"), change)
 
 
-## When [param wire] is emitted, as by what moves by itself, [param change] changes the model;
+## When [param trigger] is emitted, as by what moves by itself, [param change] changes the model;
 ## nothing is kept for undo. For what the student moves there is [method on_drag].
-func on_move(wire: Signal, change: Callable) -> void:
-	wire.connect(
+func on_move(trigger: Signal, change: Callable) -> void:
+	trigger.connect(
 		func(...arguments: Array) -> void:
 			_notice(change.callv(arguments))
-			_show_again.call()
+			_show_model.call()
 	)
 
 
@@ -113,14 +114,14 @@ func on_point(button: MouseButton, change: Callable) -> void:
 			if pressed == button:
 				pause()
 				_notice(change.call(at))
-				_show_again.call()
+				_show_model.call()
 	)
-	if not board.released.is_connected(finish):
-		board.released.connect(finish)
+	if not board.released.is_connected(finish_edit):
+		board.released.connect(finish_edit)
 
 
 ## A change is complete: shows everything and has the frame keep the state for undo.
-func finish() -> void:
+func finish_edit() -> void:
 	show_all()
 	edited.emit()
 
@@ -130,11 +131,11 @@ func show_all() -> void:
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
-	settled.emit()
+	about_to_show.emit()
 	for service: Control in services.values():
 		if service.has_method(&"show_picked"):
 			service.call(&"show_picked", _kept_model.to_dictionary())
-	_show_again.call()
+	_show_model.call()
 
 
 ## Tells these translated sentences, one for each step. Call it first in what shows the model: it

@@ -94,7 +94,7 @@ func _fly(seconds: float) -> void:
 # What the student sees. A refusal stays in the notice line as long as it holds.
 
 
-func finish() -> void:
+func finish_edit() -> void:
 	super()
 	noticed.emit(_model.refusal())
 

@@ -27,7 +27,7 @@ func start() -> void:
 	_fill_options(%Keys as AngledLinesKeys)
 	_fill_panel()
 	_connect_player()
-	settled.connect(_settle)
+	about_to_show.connect(_settle)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.outline(_model))
 
 
