@@ -5,9 +5,9 @@ extends DotProductTest
 const _ARROWS: Array[Array] = [
 	[],
 	["Unit"],
-	["TailShadow", "HeadShadow", "Unit"],
-	["TailShadow", "HeadShadow", "Projection", "Unit"],
-	["TailShadow", "HeadShadow", "Rest", "Projection", "Unit"],
+	["TailDrop", "HeadDrop", "Unit"],
+	["TailDrop", "HeadDrop", "Projection", "Unit"],
+	["TailDrop", "HeadDrop", "Rest", "Projection", "Unit"],
 ]
 const _LINES: Array[int] = [1, 3, 5, 6, 7]
 const _WORDS: Array[String] = [
