@@ -99,8 +99,9 @@ func vector_projection() -> Vec2:
 	return onto().scaled(dot())
 
 
-## What the shadow leaves over: [method shadowed] minus [method vector_projection].
-func rest() -> Vec2:
+## What the shadow leaves over, on screen “the rest”: [method shadowed] minus
+## [method vector_projection].
+func rejection() -> Vec2:
 	return shadowed().minus(vector_projection())
 
 

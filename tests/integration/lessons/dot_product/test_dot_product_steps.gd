@@ -7,7 +7,7 @@ const _ARROWS: Array[Array] = [
 	["Unit"],
 	["TailDrop", "HeadDrop", "Unit"],
 	["TailDrop", "HeadDrop", "Projection", "Unit"],
-	["TailDrop", "HeadDrop", "Rest", "Projection", "Unit"],
+	["TailDrop", "HeadDrop", "Rejection", "Projection", "Unit"],
 ]
 const _LINES: Array[int] = [1, 3, 5, 6, 7]
 const _WORDS: Array[String] = [

@@ -10,7 +10,7 @@ func test_it_starts_with_the_numbers_of_the_lecture() -> void:
 	assert_eq(model.scalar_projection(), 5.0)
 	assert_vec2(model.unit(), Vec2.new(0.8, -0.6), 0.0)
 	assert_vec2(model.vector_projection(), Vec2.new(4, -3), 0.0)
-	assert_vec2(model.rest(), Vec2.new(3, 4), 0.0)
+	assert_vec2(model.rejection(), Vec2.new(3, 4), 0.0)
 
 
 func test_only_the_difference_of_head_and_tail_counts() -> void:
@@ -29,8 +29,8 @@ func test_the_projection_is_parallel_to_the_vector_projected_on() -> void:
 
 func test_the_rest_is_perpendicular_and_adds_up() -> void:
 	for model: DotProductModel in _random_models():
-		assert_almost_eq(model.rest().dot(model.onto()), 0.0, 1e-9)
-		assert_vec2(model.rest().plus(model.vector_projection()), model.shadowed(), 1e-12)
+		assert_almost_eq(model.rejection().dot(model.onto()), 0.0, 1e-9)
+		assert_vec2(model.rejection().plus(model.vector_projection()), model.shadowed(), 1e-12)
 
 
 func test_the_scalar_projection_is_length_times_cosine() -> void:
@@ -70,7 +70,7 @@ func test_without_normalizing_all_is_too_big_by_the_length() -> void:
 	model.normalizes = false
 	assert_eq(model.scalar_projection(), 50.0)
 	assert_vec2(model.vector_projection(), Vec2.new(400, -300), 0.0)
-	assert_ne(model.rest().dot(model.onto()), 0.0)
+	assert_ne(model.rejection().dot(model.onto()), 0.0)
 
 
 func test_a_zero_vector_has_no_shadow_and_casts_none() -> void:
