@@ -3,6 +3,7 @@ extends RefCounted
 ## The formula of the lesson on the dot product: its lines, and what each name in them is.
 ##
 ## u is the vector whose shadow is looked for, w the one on which it falls, e the unit vector of w.
+## `ax` is the field in which the x of a can be typed; `u_x` only shows the x of u.
 
 # The lines that each step adds.
 const _LINES: Array[Array] = [
