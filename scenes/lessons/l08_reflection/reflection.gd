@@ -19,14 +19,14 @@ var _formula: ReflectionFormula
 func start() -> void:
 	_aim(_velocity_head.at())
 	_model.along = _line_end.at()
-	_model.aim_bounciness(_leaving_head.at())
+	_model.fit_bounciness(_leaving_head.at())
 	_model.normal_length = normal_length
-	_on_drag(_velocity_head, _aim)
-	_on_drag(%Start as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
-	_on_drag(_line_end, _turn_line)
-	_on_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
-	_on_drag(%NormalHead as Handle, _drag_normal)
-	_on_drag(_leaving_head, _drag_leaving)
+	_let_drag(_velocity_head, _aim)
+	_let_drag(%ComingTail as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
+	_let_drag(_line_end, _turn_line)
+	_let_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
+	_let_drag(%NormalHead as Handle, _drag_normal)
+	_let_drag(_leaving_head, _drag_leaving)
 	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_unit_normal", tr("Normal of length 1"))
@@ -41,7 +41,7 @@ func start() -> void:
 	begin(_model, _show, _spanned_points)
 
 
-func _on_drag(handle: Handle, change: Callable) -> void:
+func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
 
 
@@ -65,7 +65,7 @@ func _drag_normal(head: Vec2) -> void:
 
 func _drag_leaving(head: Vec2) -> void:
 	(services[&"steps"] as Steps).go_to(ReflectionModel.Step.BOUNCE)
-	_model.aim_bounciness(head)
+	_model.fit_bounciness(head)
 
 
 # A number that was taken may still have left a normal that reflect refuses: that is said, too.
