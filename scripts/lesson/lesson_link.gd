@@ -114,9 +114,9 @@ func _take_switch(name: String, text: String) -> void:
 
 
 func _take_whole_number(name: String, text: String) -> void:
-	# More digits may be more than an int holds.
-	if text.is_valid_int() and text.length() < 10:
-		state[name] = text.to_int()
+	var number := DecimalText.value_of(text)
+	if number == roundf(number) and absf(number) < 1e9:
+		state[name] = int(number)
 	else:
 		problem = LabText.translate("%s must be a whole number, not “%s”.") % [name, quoted(text)]
 

@@ -21,11 +21,11 @@ const _REFUSED: Dictionary[String, String] = {
 	"share=half": "“half” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"share=nan": "“nan” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"share=1e999": "“1e999” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
-	"share=1,2": "“1,2” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
+	"share=1,2,3": "“1,2,3” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"place=1": "place must have 2 numbers, not 1: “1”.",
 	"place=1,2,3": "place must have 2 numbers, not 3: “1,2,3”.",
 	"lines=1,2,3,4;5": "lines must have 4 numbers, not 1: “5”.",
-	"place=1,%s" % "9999999999999999999999999999999999":
+	"place=1,%s" % "999999999999999999999999999999x999":
 	"“999999999999999999999999999999…” in place must be a number: 0, or from 1e-100 to 1e100 in size.",
 }
 
