@@ -10,6 +10,9 @@ extends Control
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
 signal edited
+## What moved by itself has stopped, or the student is about to change something. The frame keeps
+## [method state] for undo, too.
+signal motion_ended
 ## Everything is about to be shown after a complete change: the time to fit a view and to measure.
 signal settled
 ## A sentence for the notice line: what was refused and why. "" clears the line.
@@ -60,6 +63,8 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
 			service.connect(&"view_changed", show_all)
+		if service.has_signal(&"halted"):
+			service.connect(&"halted", motion_ended.emit)
 	show_all()
 
 
@@ -67,9 +72,12 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 func on_edit(wire: Signal, change: Callable) -> void:
 	wire.connect(
 		func(...arguments: Array) -> void:
+			motion_ended.emit()
 			var problem: Variant = change.callv(arguments)
+			noticed.emit("")
 			finish()
-			_notice(problem)
+			if problem:
+				noticed.emit(problem)
 	)
 
 

@@ -15,6 +15,8 @@ const MOST_LISTS := 100
 
 # A refused text is quoted with at most this many letters.
 const _LONGEST_QUOTE := 30
+# Names of values that chats, mails and shops add to links, to see who follows them.
+const _TRACKERS := "^(utm_\\w+|\\w*cl(k)?id|igsh(id)?|mc_[ce]id|_\\w+|mkt_tok|srsltid|ref)$"
 
 ## The state that was read; meaningless if there is a [member problem].
 var state: Dictionary
@@ -77,6 +79,8 @@ static func _list_text(list: PackedFloat64Array) -> String:
 func _take(part: String, base: Dictionary) -> void:
 	var name := part.get_slice("=", 0)
 	if not base.has(name):
+		if RegEx.create_from_string(_TRACKERS).search(name):
+			return
 		var sentence := LabText.translate("There is no value “%s” here. There are: %s.")
 		problem = sentence % [quoted(name), ", ".join(base.keys())]
 	elif not part.contains("="):
