@@ -10,9 +10,17 @@ extends Control
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
 signal edited
+<<<<<<< HEAD
 ## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
 ## to measure.
 signal about_to_show
+=======
+## What moved by itself has stopped, or the student is about to change something. The frame keeps
+## [method state] for undo, too.
+signal motion_ended
+## Everything is about to be shown after a complete change: the time to fit a view and to measure.
+signal settled
+>>>>>>> input
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
@@ -61,6 +69,8 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
 			service.connect(&"view_changed", show_all)
+		if service.has_signal(&"halted"):
+			service.connect(&"halted", motion_ended.emit)
 	show_all()
 
 
@@ -68,9 +78,17 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 func on_edit(trigger: Signal, change: Callable) -> void:
 	trigger.connect(
 		func(...arguments: Array) -> void:
+			motion_ended.emit()
 			var problem: Variant = change.callv(arguments)
+<<<<<<< HEAD
 			finish_edit()
 			_notice(problem)
+=======
+			noticed.emit("")
+			finish()
+			if problem:
+				noticed.emit(problem)
+>>>>>>> input
 	)
 
 

@@ -20,15 +20,10 @@ static func fragment() -> String:
 	return str(JavaScriptBridge.eval("window.location.hash")) if is_there() else ""
 
 
-## The whole address.
-static func address() -> String:
-	return str(JavaScriptBridge.eval("window.location.href")) if is_there() else ""
-
-
-## Puts [param text] behind the # of the address, so that loading the page again keeps it; tells no
-## follower.
-static func put_fragment(text: String) -> void:
-	_run("window.history.replaceState(null, '', '#' + %s)", text)
+## Puts [param text] behind the # of the address, so that loading the page again keeps it, and has
+## the page copy the address and say so; tells no follower.
+static func copy_link(text: String) -> void:
+	_run("window.history.replaceState(null,'','#'+%s);window.vec2_lab?.copy_link?.()", text)
 
 
 ## From now on [param follower], and nobody else, is called with the part of the address from # on

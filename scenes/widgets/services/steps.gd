@@ -8,7 +8,7 @@ signal view_changed
 signal step_changed(step: int)
 
 ## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [&"lab_step_back", &"lab_step"]
+const ACTIONS: Array[StringName] = [&"lab_previous_step", &"lab_next_step"]
 
 ## The step that is shown, counted from 0. The last one at first, unless [method open_at] names
 ## another.
@@ -61,9 +61,9 @@ func go_to(at: int) -> void:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	if event.is_action_pressed(&"lab_step", true, true):
+	if event.is_action_pressed(&"lab_next_step", true, true):
 		go_to(_step + 1)
-	elif event.is_action_pressed(&"lab_step_back", true, true):
+	elif event.is_action_pressed(&"lab_previous_step", true, true):
 		go_to(_step - 1)
 
 

@@ -41,7 +41,7 @@ func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused()
 	var unused := LeanExport.unused_settings(
 		["res://scenes/shell/input_help.gd", "res://scenes/widgets/services/steps.gd"]
 	)
-	assert_does_not_have(unused, "input/lab_step")
+	assert_does_not_have(unused, "input/lab_next_step")
 	assert_has(unused, "input/lab_pause")
 	assert_does_not_have(unused, "input/ui_accept")
 

@@ -93,10 +93,10 @@ func test_huge_and_tiny_vectors_have_a_unit_normal() -> void:
 func test_the_steps_build_the_drawing_up() -> void:
 	var parts: Array[String] = ["%Normal", "%Opposite", "%Unit", "%Scaled"]
 	for shown: int in [3, 2, 1, 0]:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 		for i: int in parts.size():
 			assert_eq(seen([parts[i]]), [i < shown] as Array[bool], parts[i])
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Normal", "%RightAngle", "%Turn"]), [true, true, true] as Array[bool])
 
 
