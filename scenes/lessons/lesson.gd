@@ -10,17 +10,12 @@ extends Control
 ## The student has made a change that is complete: a drag has ended, a number was entered. The frame
 ## keeps [method state] for undo.
 signal edited
-<<<<<<< HEAD
-## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
-## to measure.
-signal about_to_show
-=======
 ## What moved by itself has stopped, or the student is about to change something. The frame keeps
 ## [method state] for undo, too.
 signal motion_ended
-## Everything is about to be shown after a complete change: the time to fit a view and to measure.
-signal settled
->>>>>>> input
+## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
+## to measure.
+signal about_to_show
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
@@ -80,15 +75,10 @@ func on_edit(trigger: Signal, change: Callable) -> void:
 		func(...arguments: Array) -> void:
 			motion_ended.emit()
 			var problem: Variant = change.callv(arguments)
-<<<<<<< HEAD
-			finish_edit()
-			_notice(problem)
-=======
 			noticed.emit("")
-			finish()
+			finish_edit()
 			if problem:
 				noticed.emit(problem)
->>>>>>> input
 	)
 
 
