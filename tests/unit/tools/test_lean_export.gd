@@ -4,6 +4,8 @@ extends LabTest
 const Demos := preload("res://tools/export/demos.gd")
 const LeanExport := preload("res://tools/export/lean_export.gd")
 
+const _SCENE_WITH_ICONS := "res://scenes/widgets/services/steps.tscn"
+const _SAVED := "user://lean.scn"
 const _KEPT: PackedStringArray = ["res://kept.gd"]
 
 
@@ -35,6 +37,20 @@ func test_the_lists_of_this_project_are_read_as_the_engine_writes_them() -> void
 	)
 	var id := ids.decode_s64(4)
 	assert_eq(ResourceUID.get_id_path(id), "res://scripts/vec2.gd")
+
+
+func test_a_scene_takes_in_its_icons_but_not_its_script() -> void:
+	var mode := ResourceLoader.CACHE_MODE_IGNORE
+	var scene: PackedScene = ResourceLoader.load(_SCENE_WITH_ICONS, "", mode)
+	LeanExport.take_in_icons(scene)
+	ResourceSaver.save(scene, _SAVED)
+	var named := ",".join(ResourceLoader.get_dependencies(_SAVED))
+	assert_string_contains(named, "steps.gd")
+	assert_false(named.contains(".svg"), named)
+	var saved: PackedScene = ResourceLoader.load(_SAVED, "", mode)
+	DirAccess.remove_absolute(_SAVED)
+	var steps: Node = autofree(saved.instantiate())
+	assert_true((steps.get_node("Back") as Button).icon is DPITexture)
 
 
 func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused() -> void:
