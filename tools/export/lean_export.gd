@@ -14,7 +14,10 @@ const WrittenCode := preload("written_code.gd")
 
 const _CLASSES := "res://.godot/global_script_class_cache.cfg"
 const _IDS := "res://.godot/uid_cache.bin"
-const _CLASS_KEYS: Array[String] = ["base", "class", "is_abstract", "is_tool", "language", "path"]
+const _CLASS_ENTRY := (
+	'{"base":"{base}","class":"{class}","is_abstract":{is_abstract},"is_tool":{is_tool},'
+	+ '"language":"{language}","path":"{path}"}'
+)
 const _COMPRESSED := "res://.godot/exported/compressed."
 const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
@@ -50,7 +53,7 @@ func _export_begin(
 	var files := preset.get_files_to_export()
 	for file: String in [_CLASSES, _IDS]:
 		_files_before[file] = FileAccess.get_file_as_bytes(file)
-	_write(_CLASSES, classes_of(files, _files_before[_CLASSES]))
+	_write(_CLASSES, classes_of(named_as_classes(files), _files_before[_CLASSES]))
 	_write(_IDS, ids_of(_named_in_scenes(files), _files_before[_IDS]))
 	var left_out := unused_settings(files)
 	var actions := actions_in_settings(left_out)
@@ -107,8 +110,8 @@ static func _is_icon(path: String) -> bool:
 	return path.get_extension() == "svg" and load(path) is DPITexture
 
 
-## The entries of [param files] in the list of classes, which is a text: without spaces, and with
-## the keys that the engine reads.
+## The entries of [param files] in the list of classes, which is a text: with the keys that the
+## engine reads, in the shortest form in which it reads them.
 static func classes_of(files: PackedStringArray, list: PackedByteArray) -> PackedByteArray:
 	var classes := ConfigFile.new()
 	classes.parse(list.get_string_from_utf8())
@@ -116,11 +119,24 @@ static func classes_of(files: PackedStringArray, list: PackedByteArray) -> Packe
 	var texts: PackedStringArray = []
 	for entry: Dictionary in entries:
 		if entry["path"] in files:
-			var parts := _CLASS_KEYS.map(
-				func(key: String) -> String: return '"%s":%s' % [key, var_to_str(entry[key])]
-			)
-			texts.append("{%s}" % ",".join(parts))
+			var text := _CLASS_ENTRY.format(entry)
+			texts.append(text.replace(":false", ":0").replace(":true", ":1"))
 	return ("list=[%s]\n" % ",".join(texts)).to_utf8_buffer()
+
+
+## The scripts whose class another script, one of [param files], names. A script that is found only
+## by its path needs no entry in the list of classes.
+static func named_as_classes(files: PackedStringArray) -> PackedStringArray:
+	var paths: Dictionary[String, String] = {}
+	for entry: Dictionary in ProjectSettings.get_global_class_list():
+		paths[entry["class"]] = entry["path"]
+	var named: PackedStringArray = []
+	for file: String in files:
+		if file.get_extension() == "gd":
+			for word: String in WrittenCode.names_in(FileAccess.get_file_as_string(file)):
+				if paths.get(word, file) != file:
+					named.append(paths[word])
+	return named
 
 
 # The files that a scene or resource among [param files] names, without the icons. Only there an id

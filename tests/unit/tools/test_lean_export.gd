@@ -15,10 +15,17 @@ func test_of_the_classes_those_of_exported_files_stay() -> void:
 	var gone := kept.merged({"class": &"Gone", "path": "res://gone.gd"}, true)
 	var with_icon := kept.merged({"icon": ""})
 	var list := "list=" + var_to_str([with_icon, gone])
-	var lean := ConfigFile.new()
-	lean.parse(LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8())
-	var entries: Array = lean.get_value("", "list")
-	assert_eq(entries, [kept])
+	var lean := LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8()
+	var entry := '"base":"Node","class":"Kept","is_abstract":0,"is_tool":1,"language":"GDScript"'
+	assert_eq(lean, 'list=[{%s,"path":"res://kept.gd"}]\n' % entry)
+
+
+func test_a_class_that_only_scenes_or_its_own_script_name_is_not_listed() -> void:
+	var frame := "res://scenes/shell/lesson_frame.gd"
+	var listed := LeanExport.named_as_classes([frame, "res://scripts/vec2.gd"])
+	assert_has(listed, "res://scenes/shell/input_help.gd")
+	assert_does_not_have(listed, frame)
+	assert_does_not_have(listed, "res://scripts/vec2.gd")
 
 
 func test_of_the_ids_those_of_exported_files_stay() -> void:
