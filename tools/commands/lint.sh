@@ -42,6 +42,15 @@ check_stand_in() {
 	check_by_godot "$project" --with-addons
 }
 
+check_refusals() {
+	local log=$LAB_BUILD/check_refusals.log status=0
+	tools/shared/run_with_patience.sh 120 \
+		"$godot" --headless --path . -s tools/checks/check_refusals.gd >"$log" || status=$?
+	grep -e ' is dropped$' "$log" || true
+	tail -n 1 "$log"
+	[ "$status" -eq 0 ]
+}
+
 check_editor() {
 	local log=$LAB_BUILD/editor.log status=0
 	"$godot" --headless --path . --editor --quit >"$log" 2>&1 </dev/null || status=$?
@@ -69,5 +78,6 @@ check "gdlint" check_style
 check "shellcheck" check_shell
 check "every script by Godot, warnings as errors" check_by_godot "$LAB_ROOT"
 check "GUT's stand-in by Godot, too" check_stand_in
+check "no refusal is dropped" check_refusals
 check "the editor opens the project without a message" check_editor
 exit "$failed"
