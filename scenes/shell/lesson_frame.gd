@@ -1,7 +1,6 @@
 class_name LessonFrame
 extends PanelContainer
-## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
-## undo.
+## The lesson frame: title, board, panel with the services that the lesson needs, help, undo.
 
 ## The student wants to leave. A way back is offered only where something listens.
 signal left
@@ -25,8 +24,8 @@ const _ACTIONS: Array[StringName] = [
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
-## one.
+## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
+## only one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
