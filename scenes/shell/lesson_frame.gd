@@ -122,7 +122,7 @@ func _input(event: InputEvent) -> void:
 # What the focused control uses is no shortcut besides: Space on a button presses it, and no more.
 func _unhandled_key_input(event: InputEvent) -> void:
 	var focused := get_viewport().gui_get_focus_owner()
-	if event.is_action(&"ui_accept") and (focused is BaseButton or focused is FoldableContainer):
+	if event.is_action(&"ui_accept") and focused is BaseButton:
 		get_viewport().set_input_as_handled()
 
 
