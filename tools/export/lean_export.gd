@@ -87,8 +87,8 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## The entries of [param files] in the list of classes, which is a text: without spaces, and with
-## the keys that the engine reads.
+## The entries of [param files] in the list of classes, which is a text: without spaces, with the
+## keys that the engine reads, and with 0 and 1, which the engine takes for false and true.
 static func classes_of(files: PackedStringArray, list: PackedByteArray) -> PackedByteArray:
 	var classes := ConfigFile.new()
 	classes.parse(list.get_string_from_utf8())
@@ -97,10 +97,17 @@ static func classes_of(files: PackedStringArray, list: PackedByteArray) -> Packe
 	for entry: Dictionary in entries:
 		if entry["path"] in files:
 			var parts := _CLASS_KEYS.map(
-				func(key: String) -> String: return '"%s":%s' % [key, var_to_str(entry[key])]
+				func(key: String) -> String: return '"%s":%s' % [key, _short(entry[key])]
 			)
 			texts.append("{%s}" % ",".join(parts))
 	return ("list=[%s]\n" % ",".join(texts)).to_utf8_buffer()
+
+
+# Names may be plain texts.
+static func _short(value: Variant) -> String:
+	if value is bool:
+		return "1" if value else "0"
+	return var_to_str(str(value))
 
 
 # The files that a scene or resource among [param files] names. Only there an id is read: scripts
