@@ -66,6 +66,7 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
