@@ -76,6 +76,7 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
@@ -145,7 +146,7 @@ func _input(event: InputEvent) -> void:
 # What the focused control uses is no shortcut besides: Space on a button presses it, and no more.
 func _unhandled_key_input(event: InputEvent) -> void:
 	var focused := get_viewport().gui_get_focus_owner()
-	if event.is_action(&"ui_accept") and (focused is BaseButton or focused is FoldableContainer):
+	if event.is_action(&"ui_accept") and focused is BaseButton:
 		get_viewport().set_input_as_handled()
 
 
