@@ -43,7 +43,7 @@ func open_start_screen() -> void:
 	await _open((load(START_SCREEN) as PackedScene).instantiate())
 
 
-## Opens a lesson in its frame.
+## Opens a lesson in a lesson frame.
 func open_lesson(lesson: LessonInfo) -> void:
 	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	new_frame.lesson_info = lesson
@@ -56,7 +56,7 @@ func go_to_step(step: int = 1000) -> void:
 	await student.settle()
 
 
-## The frame that is open now; null on the start screen.
+## The lesson frame that is open now; null on the start screen.
 func frame() -> LessonFrame:
 	return screen() as LessonFrame
 
