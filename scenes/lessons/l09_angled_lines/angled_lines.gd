@@ -62,15 +62,13 @@ func _connect_player() -> void:
 	_drawing.follow(_player, _model)
 
 
-# A button of a preset does what the key of the preset does.
 func _fill_options(keys: AngledLinesKeys) -> void:
 	_options.add_choice("method", tr("How a frame is stepped"), AngledLinesTexts.methods())
 	_options.add_switch("trails", tr("Trails"))
 	_options.add_switch("engine", tr("Godot"))
-	for i in AngledLinesPresets.TITLES.size():
-		_options.add_preset("lab_preset_%d" % i, "%d %s" % [i, tr(AngledLinesPresets.TITLES[i])])
-	_options.add_preset("lab_fetch_balls", tr("F Fetch"))
-	on_edit(_options.chosen, _choose_method)
+	_options.add_choice("scene", tr("The scene"), AngledLinesTexts.scenes())
+	_options.add_preset("lab_fetch_balls", tr("F  Bring lost balls back"))
+	on_edit(_options.chosen, _choose)
 	_options.switched.connect(_switch)
 	_options.preset_picked.connect(keys.act)
 
@@ -105,8 +103,11 @@ func _follow_jump(problem: String) -> void:
 	motion_ended.emit()
 
 
-func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppingMethods.Method)
+func _choose(key: String, place: int) -> void:
+	if key == "scene":
+		_model.set_up(place)
+	else:
+		_model.set_method(place as SteppingMethods.Method)
 
 
 func _switch(key: String, on: bool) -> void:
@@ -131,7 +132,10 @@ func _settle() -> void:
 
 
 func _show() -> void:
+	tell_steps(AngledLinesTexts.steps())
 	_options.show_choice("method", _model.method)
+	_options.show_choice("scene", _model.preset)
+	services[&"readout"].visible = step >= 2
 	_options.show_switch("engine", _engine.is_on())
 	_engine.begin_anew(_model)
 	_drawing.show_model(_model)
@@ -147,12 +151,13 @@ func _show_trails(on: bool) -> void:
 # What changes from frame to frame. What is to come is worked out only while time stands still.
 func _show_moment() -> void:
 	var forecast: BallForecast
-	if not _player.is_playing():
+	if step >= 1 and not _player.is_playing():
 		forecast = _model.forecast(_model.world)
 	_drawing.show_moment(_model, forecast)
 	_timeline.show_model(_model)
 	_engine.show_moment(_model)
-	if _formula.show_moment(_model, forecast):
+	var bounce := forecast.next_bounce if forecast else _model.last_bounce
+	if _formula.show_moment(_model, bounce if step == 1 else null, _player.is_playing()):
 		_show_status()
 
 
