@@ -14,6 +14,9 @@ var student: Student
 func before_all() -> void:
 	for layer: Node in get_tree().root.find_children("*", "CanvasLayer", true, false):
 		(layer as CanvasLayer).hide()
+	# What opens a lesson moves only in a test that asks for it.
+	OpeningMotion.is_allowed = false
+	Motion.file = "user://motion_in_tests.txt"
 	# The engine sleeps that long after each frame when no window is drawn.
 	OS.low_processor_usage_mode_sleep_usec = 1
 
