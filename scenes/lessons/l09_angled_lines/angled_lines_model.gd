@@ -193,6 +193,13 @@ func forecast(of_world: SteppedWorld) -> BallForecast:
 	return BallForecast.of(of_world, selected, FRAME, FORECAST_FRAMES)
 
 
+## Where the centre of the selected ball is at its next bounce, a [Vec2]; null where none comes
+## soon.
+func next_touch() -> Variant:
+	var bounce := forecast(world).next_bounce
+	return bounce.position if bounce else null
+
+
 ## The ball that is selected.
 func ball() -> Ball:
 	return world.balls[selected]

@@ -24,19 +24,33 @@ static func scenes() -> PackedStringArray:
 ## What the steps say.
 static func steps() -> PackedStringArray:
 	return [
-		LabText.translate(
-			"Drag on the board: a new line. Drag ball, v, g, lines. Click a line, then ✕: it goes."
-		),
-		LabText.translate(
-			"Dotted: the path to come. At the ring the ball touches, and there v₁ turns into v₂."
-		),
 		(
 			LabText
 			. translate(
-				"Four ways to step, a minute each. With C = 1, E must stay; never may it grow. Try key 9."
+				"Drag on the board to draw a line; drag ball, v, g, lines. To delete a line click it, then ✕."
 			)
 		),
+		LabText.translate(
+			"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
+		),
+		LabText.translate(
+			"The same minute, stepped in four ways. E may never grow; with C = 1 it must stay."
+		),
 	]
+
+
+## What is asked before the path is shown.
+static func touch_prompt() -> String:
+	return LabText.translate(
+		"Where is the ball's centre at its next touch? Drag the ring there, then go on."
+	)
+
+
+## What is asked before the comparison is shown.
+static func energy_prompt() -> String:
+	return LabText.translate(
+		"With gravity and C = 1: which way of stepping lets a ball jump higher and higher?"
+	)
 
 
 ## The headings of the comparison after [param frames] frames. It goes on only while time stands
@@ -57,11 +71,11 @@ static func headings(frames: int) -> PackedStringArray:
 ## moved on, or was lost, the row says so.
 static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
 	if of.frames() == 0:
-		return [_row_title(method), "–", "–", "–"]
+		return [ways()[method], "–", "–", "–"]
 	var share := of.energy_share(method)
 	var run_time := NumberText.short(of.microseconds_per_frame(method), 2)
 	var row: PackedStringArray = [
-		_row_title(method), _share(share, 4), "–", LabText.translate("%s µs") % run_time
+		ways()[method], _share(share, 4), "–", LabText.translate("%s µs") % run_time
 	]
 	if of.refusal(method):
 		row[1] = LabText.translate("stopped")
@@ -79,15 +93,15 @@ static func _energy_error(share: float, keeps_energy: bool) -> String:
 	return "≥ " + NumberText.size(share - 1.0) if _is_too_much(share) else "–"
 
 
-static func _row_title(method: SteppingMethods.Method) -> String:
-	match method:
-		SteppingMethods.Method.POSITION_RESET:
-			return LabText.translate("reset")
-		SteppingMethods.Method.POINT_OF_IMPACT:
-			return LabText.translate("rest dropped")
-		SteppingMethods.Method.WHOLE_FRAME:
-			return LabText.translate("rest used")
-	return LabText.translate("event world")
+## The ways of stepping as the comparison names them, in the order of
+## [enum SteppingMethods.Method].
+static func ways() -> PackedStringArray:
+	return [
+		LabText.translate("position reset"),
+		LabText.translate("rest dropped"),
+		LabText.translate("rest used"),
+		LabText.translate("event world"),
+	]
 
 
 ## The note at the point of impact.
@@ -95,7 +109,7 @@ static func impact_label(bounce: BounceRecord) -> String:
 	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
-## The lines of the status card: time, bounces, lost balls, energy, and how much of a frame of 1/60 s
+## The lines of the status card: time, bounces, lost balls, energy, and how much of a frame's 1/60 s
 ## the script takes.
 static func status(model: AngledLinesModel, milliseconds: float) -> String:
 	var world := model.world
