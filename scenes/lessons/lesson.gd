@@ -2,13 +2,13 @@
 extends Control
 ## A lesson: a controller between a model, the board that shows it, and the services in the panel.
 ##
-## The frame brings the services that the lesson's [LessonInfo] needs and then calls [method start].
-## There the lesson says what its state is ([method begin]) and how the student changes it:
-## [method on_edit], [method on_drag], [method on_move]. A change that cannot be made changes
-## nothing and returns a sentence, which is shown.
+## The lesson frame brings the services that the lesson's [LessonInfo] needs and then calls
+## [method start]. There the lesson says what its state is ([method begin]) and how the student
+## changes it: [method on_edit], [method on_drag], [method on_move]. A change that cannot be made
+## changes nothing and returns a sentence, which is shown.
 
-## The student has made a change that is complete: a drag has ended, a number was entered. The frame
-## keeps [method state] for undo.
+## The student has made a change that is complete: a drag has ended, a number was entered. The
+## lesson frame keeps [method state] for undo.
 signal edited
 ## What moved by itself has stopped, or the student is about to change something. The frame keeps
 ## [method state] for undo, too.
@@ -19,7 +19,7 @@ signal about_to_show
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
-## The services that the frame has brought, by the names in [member LessonInfo.needs].
+## The services that the lesson frame has brought, by the names in [member LessonInfo.needs].
 var services: Dictionary[StringName, Control] = {}
 
 ## The step that is shown, counted from 0; 0 in a lesson without steps.
@@ -40,7 +40,7 @@ var _opening: OpeningMotion
 @abstract func start() -> void
 
 
-# Run alone, as by F6 in the editor, the scene has no frame: the main scene opens it in one.
+# Run alone, as by F6 in the editor, the scene has no lesson frame: the main scene opens it in one.
 func _enter_tree() -> void:
 	if get_tree().current_scene == self:
 		process_mode = PROCESS_MODE_DISABLED
@@ -180,7 +180,7 @@ func on_point(button: MouseButton, change: Callable) -> void:
 		board.released.connect(finish_edit)
 
 
-## A change is complete: shows everything and has the frame keep the state for undo.
+## A change is complete: shows everything and has the lesson frame keep the state for undo.
 func finish_edit() -> void:
 	_opening = null
 	_end_answer()

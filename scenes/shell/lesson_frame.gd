@@ -1,7 +1,6 @@
 class_name LessonFrame
 extends PanelContainer
-## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
-## undo.
+## The lesson frame: title, board, panel with the services that the lesson needs, help, undo.
 
 ## The student wants to leave. A way back is offered only where something listens.
 signal left
@@ -25,8 +24,8 @@ const _ACTIONS: Array[StringName] = [
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
-## one.
+## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
+## only one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -77,6 +76,7 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
@@ -146,7 +146,7 @@ func _input(event: InputEvent) -> void:
 # What the focused control uses is no shortcut besides: Space on a button presses it, and no more.
 func _unhandled_key_input(event: InputEvent) -> void:
 	var focused := get_viewport().gui_get_focus_owner()
-	if event.is_action(&"ui_accept") and (focused is BaseButton or focused is FoldableContainer):
+	if event.is_action(&"ui_accept") and focused is BaseButton:
 		get_viewport().set_input_as_handled()
 
 

@@ -43,14 +43,14 @@ func open_start_screen() -> void:
 	await _open((load(START_SCREEN) as PackedScene).instantiate())
 
 
-## Opens a lesson in its frame.
+## Opens a lesson in a lesson frame.
 func open_lesson(lesson: LessonInfo) -> void:
 	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	new_frame.lesson_info = lesson
 	await _open(new_frame)
 
 
-## The frame that is open now; null on the start screen.
+## The lesson frame that is open now; null on the start screen.
 func frame() -> LessonFrame:
 	return screen() as LessonFrame
 

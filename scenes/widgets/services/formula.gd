@@ -163,6 +163,7 @@ func _new_label(text: String) -> Label:
 	var label := Label.new()
 	label.theme_type_variation = &"LabelMath"
 	label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	label.text_direction = Control.TEXT_DIRECTION_LTR
 	label.text = text
 	return label
 

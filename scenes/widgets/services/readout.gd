@@ -57,5 +57,6 @@ func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:
 			label.add_to_group(&"answers")
 		label.theme_type_variation = variation
 		label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+		label.text_direction = Control.TEXT_DIRECTION_LTR
 		label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		add_child(label)
