@@ -48,6 +48,11 @@ func start() -> void:
 	(services[&"question"] as Question).offer(SlopeExercise.fresh, SlopeExercise.Kind.size())
 	_model.begin()
 	begin(_model, _show)
+	ask_choice_before(
+		1, ErrorAndTimeTexts.closest_prompt(), ErrorAndTimeTexts.ranks(), _model.rank_of_closest
+	)
+	var quarter := func() -> int: return 1
+	ask_choice_before(2, ErrorAndTimeTexts.order_prompt(), ErrorAndTimeTexts.remainders(), quarter)
 
 
 func _engine_cases(problem_id: String) -> Array[MeasuredCase]:

@@ -102,6 +102,19 @@ static func frontier(measurements: Array[Measurement]) -> PackedInt32Array:
 	return places
 
 
+## Whether the measurement with the smallest error is the fastest of all (0), one in between (1) or
+## the slowest (2); -1 before all are made.
+func rank_of_closest() -> int:
+	var all := run().measurements()
+	if not run().is_done() or all.size() < 3:
+		return -1
+	var closest := all[frontier(all)[-1]].run_time_us
+	var times := all.map(func(one: Measurement) -> float: return one.run_time_us)
+	if closest == times.min():
+		return 0
+	return 2 if closest == times.max() else 1
+
+
 ## The place of the next slower measurement of the same method; of the next faster one for the
 ## slowest; -1 where the method has one setting only.
 static func neighbour(measurements: Array[Measurement], place: int) -> int:

@@ -15,10 +15,39 @@ static func steps() -> PackedStringArray:
 		LabText.translate(
 			"The dashed frontier joins the best: no method is both faster and closer than they are."
 		),
-		LabText.translate(
-			"Point at a line's mark: its slope is the order p. Twice the time, 1/2ᵖ of the error."
+		(
+			LabText
+			. translate(
+				"Point at a mark with a line: its slope is the order p. Twice the time: 1/2ᵖ of the error."
+			)
 		),
 	]
+
+
+## What is asked before the frontier is shown.
+static func closest_prompt() -> String:
+	return LabText.translate("Which method has the smallest error, by its run time?")
+
+
+## The answers to that, in the order of [method ErrorAndTimeModel.rank_of_closest].
+static func ranks() -> PackedStringArray:
+	return [
+		LabText.translate("the fastest"),
+		LabText.translate("one in between"),
+		LabText.translate("the slowest"),
+	]
+
+
+## What is asked before the order is shown.
+static func order_prompt() -> String:
+	return LabText.translate(
+		"A method of order 2 gets twice the time. How much of its error is left?"
+	)
+
+
+## The answers to that.
+static func remainders() -> PackedStringArray:
+	return ["1/2", "1/4", "1/8"]
 
 
 ## The lines of the card beside a point that is pointed at.
@@ -67,10 +96,10 @@ static func progress(model: ErrorAndTimeModel) -> String:
 
 static func _progress_of_stability(run: StabilityRun) -> String:
 	var counts: Array[int] = [run.done_count(), run.size(), run.passed_count()]
-	var words := LabText.translate("Tried %d of %d: %d hold.") % counts
+	var sentence := LabText.translate("Tried %d of %d: %d hold.") % counts
 	if run.is_done():
-		words += " " + LabText.translate("%d more take too long here.") % run.left_out.size()
-	return words
+		sentence += " " + LabText.translate("%d more take too long here.") % run.left_out.size()
+	return sentence
 
 
 static func _progress_of_run(run: MeasuringRun) -> String:

@@ -9,7 +9,6 @@ func before_each() -> void:
 
 
 func test_it_measures_by_itself_and_gives_no_answer_at_the_first_step() -> void:
-	_steps().go_to(0)
 	assert_gt(_run().done_count(), 0)
 	await _finish_measuring()
 	assert_reads("Done")
@@ -28,6 +27,19 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 	assert_reads("closest")
 	assert_eq(_plot().chosen(), _frontier()[-1])
 	assert_does_not_read("log(")
+
+
+func test_it_asks_before_the_frontier_and_before_the_order() -> void:
+	await _finish_measuring()
+	await student.press(&"lab_next_step")
+	assert_reads("smallest error, by its run time?")
+	await click_button("the slowest")
+	var is_slowest := _model().rank_of_closest() == 2
+	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
+	await student.press(&"lab_next_step")
+	await click_button("1/2")
+	assert_reads("No: it is 1/4")
+	assert_eq(frame().lesson.step, 2)
 
 
 func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
@@ -144,7 +156,7 @@ func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
 
 
 func test_the_tab_key_reaches_the_plot() -> void:
-	(Screen.button(screen(), "Copy a link to this board")).grab_focus()
+	Screen.button(screen(), "Motion").grab_focus()
 	await student.press_key(KEY_TAB)
 	assert_true(_plot().has_focus())
 

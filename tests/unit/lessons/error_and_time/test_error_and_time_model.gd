@@ -70,6 +70,15 @@ func test_the_frontier_has_who_is_not_beaten_the_fastest_first() -> void:
 	assert_eq(ErrorAndTimeModel.frontier(all), PackedInt32Array([1, 0]))
 
 
+func test_the_closest_is_ranked_by_its_run_time_once_all_is_measured() -> void:
+	var model := _model()
+	model.situation_place = 1
+	assert_eq(model.rank_of_closest(), -1)
+	while not model.run().is_done():
+		model.run().do_next()
+	assert_eq(model.rank_of_closest(), -1, "two methods have no middle")
+
+
 func test_the_neighbour_is_the_next_slower_setting_of_the_same_method() -> void:
 	var all: Array[Measurement] = [
 		_measured("a", 10.0, 4.0),
