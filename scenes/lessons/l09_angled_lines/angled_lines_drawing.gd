@@ -81,11 +81,13 @@ func scale_arrow(model: AngledLinesModel) -> void:
 	_arrow_seconds = _FAST_ARROW_SECONDS if speed > _FAST else _ARROW_SECONDS
 
 
-## Shows the lines of [param model] and its gravity; trails begin where the balls are.
+## Shows the lines of [param model] and its gravity. Trails that do not lead to the balls begin
+## anew.
 func show_model(model: AngledLinesModel) -> void:
 	_lines.show_lines(model.lines())
 	_gravity.show_gravity(model.world.surroundings.gravity)
-	begin_trails(model)
+	if not _trails.lead_to(model.world):
+		begin_trails(model)
 
 
 ## Trails begin anew where the balls are.
