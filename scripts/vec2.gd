@@ -361,6 +361,11 @@ func is_finite() -> bool:
 	return absf(x) < INF and absf(y) < INF
 
 
+## Whether both components are within -[param largest]..[param largest]. False where one is NaN.
+func is_within(largest: float) -> bool:
+	return absf(x) <= largest and absf(y) <= largest
+
+
 ## Godot's vector with the components rounded to 32 bits: 7 digits are kept.
 func to_vector2() -> Vector2:
 	return Vector2(x, y)

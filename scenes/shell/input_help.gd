@@ -10,6 +10,8 @@ const PURPOSES: Dictionary[StringName, String] = {
 	&"lab_undo": "undo",
 	&"lab_redo": "redo",
 	&"lab_copy_link": "copy link",
+	&"lab_hide_answers": "hide answers",
+	&"lab_motion": "motion",
 	&"lab_next_step": "next step",
 	&"lab_previous_step": "step back",
 	&"lab_next_frame": "next frame",

@@ -1,7 +1,6 @@
 class_name LessonFrame
 extends PanelContainer
-## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
-## undo.
+## The lesson frame: title, board, panel with the services that the lesson needs, help, undo.
 
 ## The student wants to leave. A way back is offered only where something listens.
 signal left
@@ -11,13 +10,22 @@ signal other_lesson_wanted(lesson: LessonInfo)
 ## The scene of a service, `%` the name in [member LessonInfo.needs].
 const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 
+## What is in this group can be hidden for a class, and keeps its place.
+const ANSWERS := &"answers"
+
 const _ACTIONS: Array[StringName] = [
-	&"lab_reset", &"lab_undo", &"lab_redo", &"lab_copy_link", &"ui_focus_next"
+	&"lab_reset",
+	&"lab_undo",
+	&"lab_redo",
+	&"lab_copy_link",
+	&"lab_hide_answers",
+	&"lab_motion",
+	&"ui_focus_next"
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
-## one.
+## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
+## only one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -39,6 +47,8 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 @onready var _help: Label = %Help
 @onready var _undo: Button = %Undo
 @onready var _redo: Button = %Redo
+@onready var _answers: Button = %Answers
+@onready var _motion: Button = %Motion
 
 
 ## Notes the first error that is logged while it listens.
@@ -66,6 +76,7 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
@@ -76,6 +87,10 @@ func _ready() -> void:
 	(%CopyLink as Button).pressed.connect(_act.bind(&"lab_copy_link"))
 	_undo.pressed.connect(_act.bind(&"lab_undo"))
 	_redo.pressed.connect(_act.bind(&"lab_redo"))
+	_answers.toggled.connect(_show_answers)
+	_motion.set_pressed_no_signal(not Motion.is_reduced())
+	_motion.toggled.connect(_allow_motion)
+	set_process(false)
 	resized.connect(_turn)
 	_turn()
 	_open()
@@ -103,6 +118,15 @@ func _unhandled_input(event: InputEvent) -> void:
 	for action: StringName in [&"lab_undo", &"lab_redo", &"lab_reset", &"lab_copy_link"]:
 		if event.is_action_pressed(action, false, true):
 			_act(action)
+	if event.is_action_pressed(&"lab_hide_answers"):
+		_answers.button_pressed = not _answers.button_pressed
+	elif event.is_action_pressed(&"lab_motion"):
+		_motion.button_pressed = not _motion.button_pressed
+
+
+# Answers that come while all are hidden are hidden, too.
+func _process(_delta: float) -> void:
+	get_tree().set_group(ANSWERS, "modulate", Color.TRANSPARENT)
 
 
 func _input(event: InputEvent) -> void:
@@ -122,7 +146,7 @@ func _input(event: InputEvent) -> void:
 # What the focused control uses is no shortcut besides: Space on a button presses it, and no more.
 func _unhandled_key_input(event: InputEvent) -> void:
 	var focused := get_viewport().gui_get_focus_owner()
-	if event.is_action(&"ui_accept") and (focused is BaseButton or focused is FoldableContainer):
+	if event.is_action(&"ui_accept") and focused is BaseButton:
 		get_viewport().set_input_as_handled()
 
 
@@ -258,6 +282,8 @@ func _open_state(text_of_state: String, is_named: bool) -> void:
 	var problem := link.open(text_of_state)
 	if problem:
 		_show_notice(problem)
+	elif text_of_state:
+		lesson.stop_opening()
 
 
 func _offer_way_back() -> void:
@@ -277,6 +303,24 @@ func _show_notice(message: String, is_news: bool = false) -> void:
 	var corner := below.global_position - _board_place.global_position + Vector2(10.0, 10.0)
 	_notice_place.set_begin(corner)
 	_notice_place.set_end(corner + Vector2(below.size.x - 20.0 - _board_place.size.x, 0.0))
+
+
+# The modulation is not the lesson's, as the visibility is.
+func _show_answers(on: bool) -> void:
+	set_process(not on)
+	get_tree().set_group(ANSWERS, "modulate", Color.WHITE if on else Color.TRANSPARENT)
+	# A still picture is drawn again when something in it is.
+	get_tree().call_group(ANSWERS, &"queue_redraw")
+	for service in _services.get_children():
+		if &"hides_numbers" in service:
+			service.set(&"hides_numbers", not on)
+
+
+func _allow_motion(on: bool) -> void:
+	Motion.reduce(not on)
+	if lesson and not on:
+		lesson.stop_opening()
+		lesson.pause()
 
 
 func _show_help(for_joypad: bool) -> void:

@@ -50,6 +50,7 @@ func redo() -> void:
 func reset() -> void:
 	store_motion()
 	_lesson.show_state(_lesson.reset_state(_first))
+	_lesson.ask_again()
 	store()
 
 

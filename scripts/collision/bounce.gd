@@ -15,3 +15,10 @@ static func is_approaching(velocity: Vec2, normal: Vec2) -> bool:
 static func apply(velocity: Vec2, normal: Vec2, bounciness: float = 1.0) -> void:
 	if is_approaching(velocity, normal):
 		velocity.reflect(normal, bounciness)
+
+
+## "" if [param bounciness] can be used; otherwise one sentence with the value and what is allowed.
+static func problem_of_bounciness(bounciness: float) -> String:
+	if bounciness >= 0.0 and bounciness <= 1.0:
+		return ""
+	return "The bounciness C must be within 0..1, not %s." % bounciness

@@ -38,3 +38,12 @@ static func time_to_fall(height: float, velocity: float, pull: float) -> float:
 	if velocity >= 0.0:
 		return (velocity + sqrt(maxf(squared, 0.0))) / -pull if pull < 0.0 else INF
 	return 2.0 * height / (sqrt(squared) - velocity) if squared > 0.0 else INF
+
+
+## "" if [param gravity], in px/s², can be used: both its components must be within
+## -[param largest]..[param largest]. Otherwise one sentence with the value and what is allowed.
+static func problem_of_gravity(gravity: Vec2, largest: float) -> String:
+	if gravity.is_within(largest):
+		return ""
+	var limit := String.num_scientific(largest)
+	return "Gravity must be within -%s..%s px/s² in x and y, not %s." % [limit, limit, gravity]

@@ -45,10 +45,12 @@ static func factor(value: float, digits: int = 4) -> String:
 	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
 
 
-<<<<<<< HEAD
-## The number that [method short] shows: [param value] with [param digits] digits.
+## The number that [method short] shows, to a unit in the last place: [param value] with
+## [param digits] digits. Called many times a frame, so the engine reads the text.
 static func rounded(value: float, digits: int = 4) -> float:
-	return parse(short(value, digits)) if is_finite(value) else value
+	if not is_finite(value):
+		return value
+	return short(value, digits).replace(MINUS, "-").to_float()
 
 
 ## One unit of the last digit that [method short] shows of [param value], if no zero were left out:
@@ -61,12 +63,8 @@ static func last_digit(value: float, digits: int = 4) -> float:
 	return pow(10.0, last if _is_unhandy(value) else mini(last, 0))
 
 
-## "" if [param text] is a number that the lab takes; else one sentence with the text and what is
-## allowed.
-=======
 ## "" if [param text] is a number that [DecimalText] takes; else one sentence with the text and what
 ## is allowed.
->>>>>>> input
 static func problem(text: String) -> String:
 	if not is_nan(parse(text)):
 		return ""

@@ -35,6 +35,12 @@ static func follow_fragment(follower: Callable) -> void:
 		JavaScriptBridge.get_interface("window").call(&"addEventListener", "hashchange", _listener)
 
 
+## Whether the person who uses the browser wants little to move by itself.
+static func asks_for_reduced_motion() -> bool:
+	var question := "window.matchMedia('(prefers-reduced-motion: reduce)').matches"
+	return is_there() and JavaScriptBridge.eval(question) == true
+
+
 ## Gives the page the words that are on the screen, for people who do not see it.
 static func show_text(text: String) -> void:
 	_run("window.vec2_lab?.show_text?.(%s)", text)

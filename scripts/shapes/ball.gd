@@ -28,8 +28,9 @@ func copy() -> Ball:
 	return Ball.new(position, radius, velocity, mass)
 
 
-## "" if this ball can be used; otherwise one sentence with the value and what is allowed.
-func problem() -> String:
+## "" if this ball can be used; otherwise one sentence with the value and what is allowed. All its
+## numbers must be finite and no larger than [param largest]; radius and mass must be above 0.
+func problem(largest: float = INF) -> String:
 	if not (position.is_finite() and velocity.is_finite()):
 		return (
 			"A ball's position and velocity must be finite, not %s and %s." % [position, velocity]
@@ -38,4 +39,10 @@ func problem() -> String:
 		return "A ball's radius must be above 0 and finite, not %s." % radius
 	if not (mass > 0.0 and is_finite(mass)):
 		return "A ball's mass must be above 0 and finite, not %s." % mass
+	var limit := String.num_scientific(largest)
+	if not (position.is_within(largest) and velocity.is_within(largest)):
+		var values := [limit, limit, position, velocity]
+		return "A ball's position and velocity must be within -%s..%s, not %s and %s." % values
+	if radius > largest or mass > largest:
+		return "A ball's radius and mass must be at most %s, not %s and %s." % [limit, radius, mass]
 	return ""

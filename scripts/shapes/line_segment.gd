@@ -49,10 +49,15 @@ func share_of(point: Vec2) -> float:
 	return point.minus(start).scalar_projection(along()) / size if size > 0.0 else 0.0
 
 
-## "" if this segment can be used; otherwise one sentence with the value and what is allowed.
-func problem() -> String:
+## "" if this segment can be used; otherwise one sentence with the value and what is allowed. Its
+## ends must be finite, apart, and within -[param largest]..[param largest] px.
+func problem(largest: float = INF) -> String:
 	if not (start.is_finite() and end.is_finite()):
 		return "A segment's ends must be finite, not %s and %s." % [start, end]
 	if length() == 0.0:
 		return "A segment must be longer than 0: both its ends are %s." % start
+	if not (start.is_within(largest) and end.is_within(largest)):
+		var limit := String.num_scientific(largest)
+		var values := [limit, limit, start, end]
+		return "A segment's ends must be within -%s..%s px, not %s and %s." % values
 	return ""

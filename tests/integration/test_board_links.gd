@@ -249,7 +249,7 @@ func _throw(text: String, first: Dictionary) -> int:
 
 func _open_link(lesson: LessonInfo, text: String) -> void:
 	LessonRequest.ask("%s?%s" % [lesson.id, text])
-	LessonRequest.take_id()
+	assert_eq(LessonRequest.take_id(), lesson.id)
 	await open_lesson(lesson)
 
 

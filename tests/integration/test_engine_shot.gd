@@ -47,7 +47,9 @@ func _shot(bounciness: float) -> EngineShot:
 	var host := Node.new()
 	add_child_autofree(host)
 	var surroundings := Surroundings.new()
-	surroundings.set_gravity(Vec2.new(0.0, 300.0))
-	surroundings.set_bounciness(bounciness)
-	surroundings.set_segments([LineSegment.new(Vec2.new(-100.0, 0.0), Vec2.new(100.0, 0.0))])
+	assert_no_refusal(surroundings.set_gravity(Vec2.new(0.0, 300.0)))
+	assert_no_refusal(surroundings.set_bounciness(bounciness))
+	assert_no_refusal(
+		surroundings.set_segments([LineSegment.new(Vec2.new(-100.0, 0.0), Vec2.new(100.0, 0.0))])
+	)
 	return EngineShot.new(host, Ball.new(Vec2.new(0.0, -50.0), 10.0), surroundings)

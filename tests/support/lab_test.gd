@@ -24,6 +24,12 @@ func assert_vec2(got: Vec2, want: Vec2, tolerance: float, text: String = "") -> 
 		fail_test("%s %s" % [difference, text])
 
 
+## Fails if a method has refused what the test handed over: such a method returns a sentence, and ""
+## when all went well. See [Refusal].
+func assert_no_refusal(refusal: String) -> void:
+	assert_eq(refusal, "")
+
+
 ## Fails unless every one of [param values] is at most [param bound]. NaN fails, and so does an
 ## empty list, which would prove nothing.
 func assert_all_at_most(values: PackedFloat64Array, bound: float, text: String = "") -> void:

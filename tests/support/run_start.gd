@@ -4,5 +4,6 @@ extends "res://addons/gut/hook_script.gd"
 
 func run() -> void:
 	DirAccess.make_dir_recursive_absolute("res://build/test")
-	FileAccess.open("res://build/.gdignore", FileAccess.WRITE)
+	var marker := FileAccess.open("res://build/.gdignore", FileAccess.WRITE)
+	marker.close()
 	print("=== first test")

@@ -82,6 +82,17 @@ func test_one_component_that_is_not_finite_is_enough() -> void:
 		assert_false(Vec2.new(1, bad).is_finite(), "y = %s" % bad)
 
 
+func test_a_vector_is_within_a_limit_that_both_components_keep() -> void:
+	assert_true(Vec2.new(5, -5).is_within(5.0))
+	assert_true(Vec2.zero().is_within(0.0))
+
+
+func test_one_component_beyond_the_limit_is_enough() -> void:
+	for bad: float in [5.1, -5.1, INF, NAN]:
+		assert_false(Vec2.new(bad, 1).is_within(5.0), "x = %s" % bad)
+		assert_false(Vec2.new(1, bad).is_within(5.0), "y = %s" % bad)
+
+
 func test_to_vector2_rounds_to_32_bits() -> void:
 	assert_eq(Vec2.new(3.5, -4.25).to_vector2(), Vector2(3.5, -4.25))
 	assert_almost_eq(Vec2.new(1.0 / 3.0, 0).to_vector2().x, 1.0 / 3.0, 2e-8)

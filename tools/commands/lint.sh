@@ -11,7 +11,11 @@ files() {
 	find . \( -path ./addons/gut -o -path ./build -o -path ./.godot -o -path ./.git \) -prune -o "$@" -print0
 }
 
-check_form() { files -name '*.gd' | xargs -0 "$programs/gdformat" --check; }
+check_form() {
+	files -name '*.gd' | xargs -0 "$programs/gdformat" --check && return
+	echo "to format a file: $programs/gdformat FILE"
+	return 1
+}
 check_style() { files -name '*.gd' | xargs -0 "$programs/gdlint"; }
 check_shell() { files \( -name '*.sh' -o -path ./lab -o -path ./.ci/run \) | xargs -0 "$programs/shellcheck" -x; }
 
@@ -42,6 +46,15 @@ check_stand_in() {
 	check_by_godot "$project" --with-addons
 }
 
+check_refusals() {
+	local log=$LAB_BUILD/check_refusals.log status=0
+	tools/shared/run_with_patience.sh 120 \
+		"$godot" --headless --path . -s tools/checks/check_refusals.gd >"$log" || status=$?
+	grep -e ' is dropped$' "$log" || true
+	tail -n 1 "$log"
+	[ "$status" -eq 0 ]
+}
+
 check_editor() {
 	local log=$LAB_BUILD/editor.log status=0
 	"$godot" --headless --path . --editor --quit >"$log" 2>&1 </dev/null || status=$?
@@ -69,5 +82,6 @@ check "gdlint" check_style
 check "shellcheck" check_shell
 check "every script by Godot, warnings as errors" check_by_godot "$LAB_ROOT"
 check "GUT's stand-in by Godot, too" check_stand_in
+check "no refusal is dropped" check_refusals
 check "the editor opens the project without a message" check_editor
 exit "$failed"

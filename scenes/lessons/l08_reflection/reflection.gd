@@ -34,7 +34,7 @@ func start() -> void:
 	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
 	var kinds := ReflectionExercise.Kind.size()
 	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
-	on_enter(_enter)
+	on_enter(_model.enter)
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
@@ -68,18 +68,12 @@ func _drag_leaving(head: Vec2) -> void:
 	_model.fit_bounciness(head)
 
 
-# A number that was taken may still have left a normal that reflect refuses: that is said, too.
-func _enter(name_in_line: String, value: float) -> String:
-	var problem := _model.enter(name_in_line, value)
-	return problem if problem else _model.refusal()
-
-
 func _take(changes: Dictionary) -> String:
 	var problem := _model.take(changes)
 	# With C = 1 the bounciness does nothing, on whichever part it acts.
 	if changes.get("mistake") == ReflectionMistakes.BOUNCY_TANGENT and _model.bounciness == 1.0:
 		_model.bounciness = 0.5
-	return problem if problem else _model.refusal()
+	return problem
 
 
 func _fly(seconds: float) -> void:

@@ -47,7 +47,7 @@ func remove_walls() -> void:
 
 ## Takes this gravity from now on, in px/s^2.
 func set_gravity(gravity: Vec2) -> String:
-	var problem := WorldLimits.problem_of_gravity(gravity)
+	var problem := FreeFlight.problem_of_gravity(gravity, LARGEST)
 	if problem:
 		return problem
 	_contents += 1
@@ -60,7 +60,7 @@ func set_gravity(gravity: Vec2) -> String:
 
 ## Takes this bounciness C from now on, 0..1, for all that bounces.
 func set_bounciness(bounciness: float) -> String:
-	var problem := WorldLimits.problem_of_bounciness(bounciness)
+	var problem := Bounce.problem_of_bounciness(bounciness)
 	if problem:
 		return problem
 	_bounciness = bounciness
@@ -81,7 +81,7 @@ func segment(place: int) -> LineSegment:
 ## Takes copies of these segments in place of the old ones.
 func set_segments(new_segments: Array[LineSegment]) -> String:
 	for new_segment in new_segments:
-		var problem := WorldLimits.problem_of_segment(new_segment)
+		var problem := new_segment.problem(LARGEST)
 		if problem:
 			return problem
 	_contents += 1
@@ -94,7 +94,7 @@ func set_segments(new_segments: Array[LineSegment]) -> String:
 
 ## Adds a segment; its place is the old [method segment_count].
 func add_segment(new_segment: LineSegment) -> String:
-	var problem := WorldLimits.problem_of_segment(new_segment)
+	var problem := new_segment.problem(LARGEST)
 	if not problem:
 		_contents += 1
 		_segments.put(_segments.size(), new_segment)
@@ -106,7 +106,7 @@ func add_segment(new_segment: LineSegment) -> String:
 func move_segment(place: int, new_segment: LineSegment) -> String:
 	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
 	if not problem:
-		problem = WorldLimits.problem_of_segment(new_segment)
+		problem = new_segment.problem(LARGEST)
 	if not problem:
 		_contents += 1
 		_segments.put(place, new_segment)
@@ -128,7 +128,7 @@ func remove_segment(place: int) -> String:
 ## Takes copies of these balls in place of the old ones. The time goes on.
 func set_balls(new_balls: Array[Ball]) -> String:
 	for new_ball in new_balls:
-		var problem := WorldLimits.problem_of_ball(new_ball)
+		var problem := new_ball.problem(LARGEST)
 		if problem:
 			return problem
 	for index in ball_count():
@@ -143,7 +143,7 @@ func set_balls(new_balls: Array[Ball]) -> String:
 
 ## Adds a ball; its place is the old [method ball_count].
 func add_ball(new_ball: Ball) -> String:
-	var problem := WorldLimits.problem_of_ball(new_ball)
+	var problem := new_ball.problem(LARGEST)
 	if not problem:
 		_resize_places(ball_count() + 1)
 		_put_ball(ball_count() - 1, new_ball)
@@ -155,7 +155,7 @@ func add_ball(new_ball: Ball) -> String:
 func change_ball(index: int, new_ball: Ball) -> String:
 	var problem := WorldLimits.problem_of_place(index, has_ball(index), "ball")
 	if not problem:
-		problem = WorldLimits.problem_of_ball(new_ball)
+		problem = new_ball.problem(LARGEST)
 	if not problem:
 		_release_partner(index)
 		_put_ball(index, new_ball)

@@ -215,13 +215,6 @@ func _wake_where_changed(seconds: float) -> void:
 
 
 static func _problem_of(ball: Ball) -> String:
-	if ball.problem():
-		return ball.problem()
 	if not reaches(ball.position):
 		return "A ball must be within -800..800 px in x and y, not at %s." % ball.position
-	if not Surroundings.is_within(ball.velocity):
-		return "A ball's speed must be within -1e6..1e6 px/s, not %s." % ball.velocity
-	if not (ball.radius <= Surroundings.LARGEST and ball.mass <= Surroundings.LARGEST):
-		var sizes := [ball.radius, ball.mass]
-		return "A ball's radius and mass must be at most 1e6, not %s and %s." % sizes
-	return ""
+	return ball.problem(Surroundings.LARGEST)

@@ -24,7 +24,7 @@ var _boxes := SegmentBoxes.new([])
 func set_segments(new_segments: Array[LineSegment]) -> String:
 	var copies: Array[LineSegment] = []
 	for segment in new_segments:
-		var problem := _problem_of(segment)
+		var problem := segment.problem(LARGEST)
 		if problem:
 			return problem
 		copies.append(segment.copy())
@@ -36,8 +36,9 @@ func set_segments(new_segments: Array[LineSegment]) -> String:
 
 ## Sets gravity.
 func set_gravity(new_gravity: Vec2) -> String:
-	if not is_within(new_gravity):
-		return "Gravity must be within -1e6..1e6 px/s² in x and y, not %s." % new_gravity
+	var problem := FreeFlight.problem_of_gravity(new_gravity, LARGEST)
+	if problem:
+		return problem
 	gravity = new_gravity.copy()
 	changes += 1
 	return ""
@@ -45,8 +46,9 @@ func set_gravity(new_gravity: Vec2) -> String:
 
 ## Sets the bounciness.
 func set_bounciness(new_bounciness: float) -> String:
-	if not (new_bounciness >= 0.0 and new_bounciness <= 1.0):
-		return "The bounciness C must be within 0..1, not %s." % new_bounciness
+	var problem := Bounce.problem_of_bounciness(new_bounciness)
+	if problem:
+		return problem
 	bounciness = new_bounciness
 	changes += 1
 	return ""
@@ -95,17 +97,3 @@ func deepest() -> float:
 	for segment in segments:
 		found = maxf(found, maxf(gravity.dot(segment.start), gravity.dot(segment.end)))
 	return found if segments else 0.0
-
-
-## Whether both components are within -[constant LARGEST]..[constant LARGEST]; false for NaN.
-static func is_within(vector: Vec2) -> bool:
-	return absf(vector.x) <= LARGEST and absf(vector.y) <= LARGEST
-
-
-static func _problem_of(segment: LineSegment) -> String:
-	if segment.problem():
-		return segment.problem()
-	if not (is_within(segment.start) and is_within(segment.end)):
-		var ends := [segment.start, segment.end]
-		return "A segment's ends must be within -1e6..1e6 px, not %s and %s." % ends
-	return ""

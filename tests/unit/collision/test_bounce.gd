@@ -102,6 +102,18 @@ func test_mistake_14_a_ball_that_moves_away_is_left_alone() -> void:
 		assert_vec2(velocity, Vec2.new(3, -4), 0.0, "frame %d" % frame)
 
 
+func test_a_bounciness_within_0_and_1_has_no_problem() -> void:
+	for good: float in [0.0, 0.5, 1.0]:
+		assert_eq(Bounce.problem_of_bounciness(good), "")
+
+
+func test_another_bounciness_is_named_with_what_is_allowed() -> void:
+	for bad: float in [-0.1, 1.5, INF, NAN]:
+		assert_eq(
+			Bounce.problem_of_bounciness(bad), "The bounciness C must be within 0..1, not %s." % bad
+		)
+
+
 func _bounced(velocity: Vec2, normal: Vec2, bounciness: float = 1.0) -> Vec2:
 	var result := velocity.copy()
 	Bounce.apply(result, normal, bounciness)

@@ -129,16 +129,16 @@ func test_too_fast_or_below_it_leaves_at_once() -> void:
 
 
 func test_without_gravity_it_rests_or_flies_off() -> void:
-	_slide.start(0, 0, 3, 4, 0, 0, 0, 0)
+	assert_no_refusal(_slide.start(0, 0, 3, 4, 0, 0, 0, 0))
 	assert_eq(_slide.ending, CapSlide.Ending.NEVER)
-	_slide.start(0, 0, 3, 4, -4, 3, 0, 0)
+	assert_no_refusal(_slide.start(0, 0, 3, 4, -4, 3, 0, 0))
 	assert_eq([_slide.ending, _slide.end_time], [CapSlide.Ending.LEAVES, 0.0])
 	_slide.move_to(0.0)
 	assert_vec2(Vec2.new(_slide.velocity_x, _slide.velocity_y), Vec2.new(-4, 3), 1e-15)
 
 
 func test_only_the_velocity_along_the_circle_counts() -> void:
-	_slide.start(0, 0, 3, -4, 4 + 30, 3 - 40, 0, 10)
+	assert_no_refusal(_slide.start(0, 0, 3, -4, 4 + 30, 3 - 40, 0, 10))
 	_slide.move_to(0.0)
 	assert_vec2(Vec2.new(_slide.velocity_x, _slide.velocity_y), Vec2.new(4, 3), 1e-14)
 
@@ -153,7 +153,9 @@ func test_turned_and_moved_the_motion_is_the_same() -> void:
 	var gravity := Vec2.new(0, _GRAVITY)
 	for vector: Vec2 in [place, velocity, start, gravity]:
 		vector.rotate_degrees(130.0)
-	_slide.start(7, -9, start.x + 7, start.y - 9, velocity.x, velocity.y, gravity.x, gravity.y)
+	assert_no_refusal(
+		_slide.start(7, -9, start.x + 7, start.y - 9, velocity.x, velocity.y, gravity.x, gravity.y)
+	)
 	_slide.move_to(0.7 * _slide.end_time)
 	assert_almost_eq(_slide.end_time, time, 1e-13)
 	assert_vec2(Vec2.new(_slide.position_x - 7, _slide.position_y + 9), place, 1e-12)
@@ -186,7 +188,7 @@ func _start_at(start: Array) -> void:
 func _start(angle: float, speed: float) -> void:
 	var place := _place(angle)
 	var velocity := _velocity(angle, speed)
-	_slide.start(0, 0, place.x, place.y, velocity.x, velocity.y, 0, _GRAVITY)
+	assert_no_refusal(_slide.start(0, 0, place.x, place.y, velocity.x, velocity.y, 0, _GRAVITY))
 
 
 func _place(angle: float) -> Vec2:

@@ -63,3 +63,21 @@ func test_a_mass_that_cannot_be_is_named() -> void:
 func test_a_place_or_velocity_that_is_not_finite_is_named() -> void:
 	assert_string_contains(Ball.new(Vec2.new(NAN, 0), 1.0).problem(), "finite")
 	assert_string_contains(Ball.new(Vec2.zero(), 1.0, Vec2.new(0, INF)).problem(), "finite")
+
+
+func test_a_ball_may_reach_the_limit() -> void:
+	assert_eq(Ball.new(Vec2.new(5, -5), 5.0, Vec2.new(-5, 5), 5.0).problem(5.0), "")
+
+
+func test_a_number_beyond_the_limit_is_named_with_the_limit() -> void:
+	var far := Vec2.new(0, -6)
+	assert_eq(
+		Ball.new(far, 1.0).problem(5.0),
+		"A ball's position and velocity must be within -5..5, not (0, -6) and (0, 0)."
+	)
+	assert_string_contains(Ball.new(Vec2.zero(), 1.0, far).problem(5.0), "(0, -6)")
+	assert_eq(
+		Ball.new(Vec2.zero(), 6.0).problem(5.0),
+		"A ball's radius and mass must be at most 5, not 6.0 and 1.0."
+	)
+	assert_string_contains(Ball.new(Vec2.zero(), 1.0, Vec2.zero(), 6.0).problem(5.0), "6.0")

@@ -95,5 +95,17 @@ func test_a_segment_that_cannot_be_used_says_why() -> void:
 	assert_string_contains(LineSegment.new(Vec2.new(NAN, 0), Vec2.zero()).problem(), "finite")
 
 
+func test_a_segment_may_reach_the_limit() -> void:
+	assert_eq(LineSegment.new(Vec2.new(5, -5), Vec2.new(-5, 5)).problem(5.0), "")
+
+
+func test_an_end_beyond_the_limit_is_named_with_the_limit() -> void:
+	var near := Vec2.new(1, 2)
+	var far := Vec2.new(0, -6)
+	var text := "A segment's ends must be within -5..5 px, not %s and %s."
+	assert_eq(LineSegment.new(far, near).problem(5.0), text % [far, near])
+	assert_eq(LineSegment.new(near, far).problem(5.0), text % [near, far])
+
+
 static func _segment() -> LineSegment:
 	return LineSegment.new(Vec2.new(10, 20), Vec2.new(40, 60))

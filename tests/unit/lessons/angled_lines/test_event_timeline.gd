@@ -5,11 +5,11 @@ extends LabTest
 
 func test_a_moment_is_the_same_however_one_gets_there() -> void:
 	var model := _model(0)
-	model.go_to(7.25)
+	assert_no_refusal(model.go_to(7.25))
 	var there := _moving(model)
-	model.go_to(0.5)
-	model.go_to(3.0)
-	model.go_to(7.25)
+	assert_no_refusal(model.go_to(0.5))
+	assert_no_refusal(model.go_to(3.0))
+	assert_no_refusal(model.go_to(7.25))
 	assert_eq(_moving(model), there)
 
 
@@ -27,7 +27,7 @@ func test_frames_forward_and_back_come_to_the_same_bits() -> void:
 func test_the_next_impact_is_where_the_ball_touches() -> void:
 	var model := _model(0)
 	for impact: int in 12:
-		model.go_to(model.timeline.impact_time(0, 1))
+		assert_no_refusal(model.go_to(model.timeline.impact_time(0, 1)))
 		var ball := model.ball()
 		var gaps: PackedFloat64Array = []
 		for line: LineSegment in model.lines():
@@ -41,10 +41,10 @@ func test_the_previous_impact_is_the_one_before() -> void:
 	var times: PackedFloat64Array = []
 	for impact: int in 5:
 		times.append(model.timeline.impact_time(0, 1))
-		model.go_to(times[-1])
+		assert_no_refusal(model.go_to(times[-1]))
 	for impact: int in [3, 2, 1, 0]:
 		assert_eq(model.timeline.impact_time(0, -1), times[impact])
-		model.go_to(times[impact])
+		assert_no_refusal(model.go_to(times[impact]))
 	assert_eq(model.timeline.impact_time(0, -1), -1.0)
 
 
@@ -64,33 +64,33 @@ func test_impacts_to_come_are_those_that_come() -> void:
 func test_the_energy_is_the_same_at_every_moment() -> void:
 	var model := _model(0)
 	for moment: int in 40:
-		model.go_to(0.83 * (moment % 7) * moment)
+		assert_no_refusal(model.go_to(0.83 * (moment % 7) * moment))
 		assert_almost_eq(model.energy_share(model.world), 1.0, 1e-12)
 
 
 func test_the_formula_shows_the_latest_bounce_of_the_moment() -> void:
 	var model := _model(0)
 	assert_null(model.last_bounce)
-	model.go_to(model.timeline.impact_time(0, 1))
+	assert_no_refusal(model.go_to(model.timeline.impact_time(0, 1)))
 	assert_vec2(model.last_bounce.position, model.ball().position, 1e-9)
 	assert_vec2(model.last_bounce.velocity_after, model.ball().velocity, 1e-9)
-	model.go_to(0.0)
+	assert_no_refusal(model.go_to(0.0))
 	assert_null(model.last_bounce)
 
 
 func test_a_ball_that_flies_away_is_lost_and_back_in_time_it_is_not() -> void:
 	var model := _model(0)
-	model.set_lines([model.lines()[4]] as Array[LineSegment])
-	model.go_to(9.0)
+	assert_no_refusal(model.set_lines([model.lines()[4]] as Array[LineSegment]))
+	assert_no_refusal(model.go_to(9.0))
 	assert_eq(model.world.lost_count(), 1)
-	model.go_to(0.5)
+	assert_no_refusal(model.go_to(0.5))
 	assert_eq(model.world.lost_count(), 0)
 
 
 func test_a_lost_ball_that_is_fetched_begins_a_new_timeline() -> void:
 	var model := _model(0)
-	model.set_lines([model.lines()[4]] as Array[LineSegment])
-	model.go_to(9.0)
+	assert_no_refusal(model.set_lines([model.lines()[4]] as Array[LineSegment]))
+	assert_no_refusal(model.go_to(9.0))
 	model.fetch_balls()
 	assert_vec2(model.ball().position, Vec2.new(-200.0, -120.0), 0.0)
 	assert_eq(model.timeline.time, 0.0)
@@ -100,17 +100,13 @@ func test_a_lost_ball_that_is_fetched_begins_a_new_timeline() -> void:
 
 func test_a_jammed_ball_is_told_instead_of_hanging() -> void:
 	var model := _model(0)
-	(
-		model
-		. set_lines(
-			[
-				LineSegment.new(Vec2.new(-300.0, -132.0), Vec2.new(0.0, -132.0)),
-				LineSegment.new(Vec2.new(-300.0, -108.0), Vec2.new(0.0, -108.0)),
-			]
-		)
-	)
-	model.set_gravity(Vec2.new())
-	model.change_ball(Vec2.new(-200.0, -120.0), Vec2.new(0.0, 100.0))
+	var narrow: Array[LineSegment] = [
+		LineSegment.new(Vec2.new(-300.0, -132.0), Vec2.new(0.0, -132.0)),
+		LineSegment.new(Vec2.new(-300.0, -108.0), Vec2.new(0.0, -108.0)),
+	]
+	assert_no_refusal(model.set_lines(narrow))
+	assert_no_refusal(model.set_gravity(Vec2.new()))
+	assert_no_refusal(model.change_ball(Vec2.new(-200.0, -120.0), Vec2.new(0.0, 100.0)))
 	assert_string_contains(model.go_to(1.0), "impacts within a second")
 	assert_true(model.ball().position.is_finite())
 
@@ -118,7 +114,7 @@ func test_a_jammed_ball_is_told_instead_of_hanging() -> void:
 func test_the_page_turns_after_ten_seconds() -> void:
 	var model := _model(0)
 	assert_eq(model.timeline.page_start(), 0.0)
-	model.go_to(10.0)
+	assert_no_refusal(model.go_to(10.0))
 	assert_eq(model.timeline.page_start(), 10.0)
 	assert_gt(model.timeline.impact_time(0, 1), 10.0)
 
@@ -135,7 +131,7 @@ func test_the_event_world_switches_mistakes_off_and_a_mistake_the_event_world() 
 
 func test_a_stored_moment_is_put_back() -> void:
 	var model := _model(7)
-	model.go_to(2.6)
+	assert_no_refusal(model.go_to(2.6))
 	var other := AngledLinesModel.new()
 	other.from_dictionary(model.to_dictionary())
 	assert_eq(other.world.state(), model.world.state())

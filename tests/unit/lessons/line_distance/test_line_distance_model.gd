@@ -73,7 +73,7 @@ func test_without_a_mistake_the_distance_is_the_right_one() -> void:
 
 
 func test_straight_up_from_a_vertical_line_is_no_number() -> void:
-	model.move_line(Vec2.new(0, 50), Vec2.new(0, -50))
+	assert_no_refusal(model.move_line(Vec2.new(0, 50), Vec2.new(0, -50)))
 	model.mistake = LineDistanceMistakes.STRAIGHT_UP
 	assert_false(model.position_with_mistake().is_finite())
 
@@ -110,7 +110,7 @@ func test_a_radius_that_is_not_positive_is_refused_and_the_old_one_stays() -> vo
 
 
 func test_a_stored_state_comes_back() -> void:
-	model.move_line(Vec2.new(1, 2), Vec2.new(3, 5))
+	assert_no_refusal(model.move_line(Vec2.new(1, 2), Vec2.new(3, 5)))
 	model.ball = Ball.new(Vec2.new(7, -8), 9)
 	model.from_share = -0.25
 	model.mistake = LineDistanceMistakes.STRAIGHT_UP

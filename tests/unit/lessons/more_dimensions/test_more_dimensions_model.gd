@@ -104,12 +104,12 @@ func test_a_component_out_of_range_is_refused_and_nothing_changes() -> void:
 func test_what_is_stored_is_not_shared_and_can_be_put_back() -> void:
 	var model := MoreDimensionsModel.new()
 	var stored := model.to_dictionary()
-	model.set_component("a", 0, 77.0)
+	assert_no_refusal(model.set_component("a", 0, 77.0))
 	model.has_four = true
 	model.view.turn(1.0, 0.2)
 	model.from_dictionary(stored)
 	assert_eq(model.to_dictionary(), MoreDimensionsModel.new().to_dictionary())
-	model.set_component("a", 0, 77.0)
+	assert_no_refusal(model.set_component("a", 0, 77.0))
 	assert_eq(stored, MoreDimensionsModel.new().to_dictionary())
 
 

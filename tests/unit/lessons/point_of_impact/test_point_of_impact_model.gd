@@ -157,7 +157,7 @@ func test_a_radius_that_is_not_positive_is_refused_and_the_old_one_stays() -> vo
 
 func test_a_stored_state_comes_back() -> void:
 	_move(Vec2.new(1, 2), Vec2.new(3, 4))
-	model.move_line(Vec2.new(9, 8), Vec2.new(7, 5))
+	assert_no_refusal(model.move_line(Vec2.new(9, 8), Vec2.new(7, 5)))
 	model.radius = 3.0
 	model.mistake = PointOfImpactMistakes.FROM_NEW
 	var again := PointOfImpactModel.new()

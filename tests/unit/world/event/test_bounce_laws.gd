@@ -9,8 +9,8 @@ func test_bounces_between_walls() -> void:
 	_check(
 		func(world: EventWorld, rng: RandomNumberGenerator) -> void:
 			_set_walls(world)
-			world.set_bounciness(_bounciness(rng))
-			world.set_balls(_balls(rng, 1))
+			assert_no_refusal(world.set_bounciness(_bounciness(rng)))
+			assert_no_refusal(world.set_balls(_balls(rng, 1)))
 	)
 
 
@@ -18,9 +18,9 @@ func test_bounces_of_some_balls_between_walls_and_segments() -> void:
 	_check(
 		func(world: EventWorld, rng: RandomNumberGenerator) -> void:
 			_set_walls(world)
-			world.set_bounciness(_bounciness(rng))
-			world.set_segments(_segments(rng, rng.randi_range(1, 12)))
-			world.set_balls(_balls(rng, rng.randi_range(1, 9)))
+			assert_no_refusal(world.set_bounciness(_bounciness(rng)))
+			assert_no_refusal(world.set_segments(_segments(rng, rng.randi_range(1, 12))))
+			assert_no_refusal(world.set_balls(_balls(rng, rng.randi_range(1, 9))))
 	)
 
 
@@ -33,8 +33,8 @@ func test_elastic_bounces_off_segments() -> void:
 			var segments := _segments(rng, rng.randi_range(0, 20))
 			for place: int in corners.size():
 				segments.append(LineSegment.new(corners[place - 1], corners[place]))
-			world.set_segments(segments)
-			world.set_balls(_balls(rng, rng.randi_range(1, 3)))
+			assert_no_refusal(world.set_segments(segments))
+			assert_no_refusal(world.set_balls(_balls(rng, rng.randi_range(1, 3))))
 	)
 
 
@@ -42,10 +42,10 @@ func test_meetings_of_many_balls() -> void:
 	_check(
 		func(world: EventWorld, rng: RandomNumberGenerator) -> void:
 			_set_walls(world)
-			world.set_bounciness(_bounciness(rng))
-			world.set_balls(_balls(rng, rng.randi_range(16, 40)))
+			assert_no_refusal(world.set_bounciness(_bounciness(rng)))
+			assert_no_refusal(world.set_balls(_balls(rng, rng.randi_range(16, 40))))
 			if rng.randi() % 4 == 0:
-				world.set_gravity(Vec2.new(40, 300))
+				assert_no_refusal(world.set_gravity(Vec2.new(40, 300)))
 	)
 
 
@@ -75,8 +75,8 @@ static func _state(world: EventWorld) -> Array:
 	return [world.time, world.impacts, world.next_event_time(), EventWorlds.numbers(world)]
 
 
-static func _set_walls(world: EventWorld) -> void:
-	world.set_walls(Vec2.zero(), Vec2.new(_ROOM, _ROOM))
+func _set_walls(world: EventWorld) -> void:
+	assert_no_refusal(world.set_walls(Vec2.zero(), Vec2.new(_ROOM, _ROOM)))
 
 
 static func _bounciness(rng: RandomNumberGenerator) -> float:

@@ -29,7 +29,9 @@ func test_a_slow_ball_is_over_the_line_before_its_slide_ends() -> void:
 	var x := _RADIUS * sin(PI / 6.0)
 	var y := -_RADIUS * cos(PI / 6.0)
 	var slide := CapSlide.new()
-	slide.start(0, 0, x, y, -60.0 * cos(PI / 6.0), -60.0 * sin(PI / 6.0), 0, _GRAVITY)
+	assert_no_refusal(
+		slide.start(0, 0, x, y, -60.0 * cos(PI / 6.0), -60.0 * sin(PI / 6.0), 0, _GRAVITY)
+	)
 	var rolls := CapRolls.new()
 	rolls.resize(1)
 	rolls.begin(0, slide, 0.0, -1.0, 7.0, 0.0)
@@ -42,9 +44,9 @@ func test_time_is_counted_from_the_beginning_of_the_way() -> void:
 	assert_eq(_rolls(20.0).seconds_since(0, 7.5, 1e-17), 0.5 + 1e-17)
 
 
-static func _rolls(speed: float) -> CapRolls:
+func _rolls(speed: float) -> CapRolls:
 	var slide := CapSlide.new()
-	slide.start(0, 0, 0, -_RADIUS, speed, 0, 0, _GRAVITY)
+	assert_no_refusal(slide.start(0, 0, 0, -_RADIUS, speed, 0, 0, _GRAVITY))
 	var rolls := CapRolls.new()
 	rolls.resize(1)
 	rolls.begin(0, slide, 0.0, -1.0, 7.0, 0.0)

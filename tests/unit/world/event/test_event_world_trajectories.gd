@@ -42,7 +42,7 @@ func _followed() -> Array[ReferenceTrajectory]:
 
 func _world(case: ReferenceTrajectory) -> EventWorld:
 	var world := EventWorld.new()
-	world.set_segments(case.segments)
-	world.set_balls([case.ball])
-	world.advance(case.seconds)
+	assert_no_refusal(world.set_segments(case.segments))
+	assert_no_refusal(world.set_balls([case.ball]))
+	assert_no_refusal(world.advance(case.seconds))
 	return world

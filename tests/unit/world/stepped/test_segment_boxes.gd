@@ -27,7 +27,7 @@ class LookAtAllMover:
 func test_ten_balls_run_to_the_same_bits_as_when_all_lines_are_looked_at() -> void:
 	for bounciness: float in [1.0, 0.7, 0.0]:
 		var quick := SteppedWorlds.box(10, 21)
-		quick.surroundings.set_bounciness(bounciness)
+		assert_no_refusal(quick.surroundings.set_bounciness(bounciness))
 		var readable := quick.copy()
 		readable.mover = LookAtAllMover.new()
 		SteppedWorlds.run(quick, 240)

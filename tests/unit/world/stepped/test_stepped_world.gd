@@ -128,7 +128,7 @@ func test_a_stored_world_put_into_another_runs_the_same() -> void:
 	var world := SteppedWorlds.box(5, 4)
 	SteppedWorlds.run(world, 30)
 	var other := SteppedWorld.new(WholeFrameMover.new())
-	WorldState.put(WorldState.of(world), other)
+	assert_no_refusal(WorldState.put(WorldState.of(world), other))
 	SteppedWorlds.run(world, 100)
 	SteppedWorlds.run(other, 100)
 	assert_eq(other.state(), world.state())

@@ -17,7 +17,7 @@ func test_gravity_that_is_not_finite_or_too_large_is_refused() -> void:
 	assert_eq(surroundings.set_gravity(Vec2.new(0.0, 300.0)), "")
 	for value: float in [NAN, INF, 2e6]:
 		var problem := surroundings.set_gravity(Vec2.new(value, 0.0))
-		assert_string_contains(problem, "Gravity must be within -1e6..1e6")
+		assert_string_contains(problem, "Gravity must be within -1000000..1000000")
 	assert_vec2(surroundings.gravity, Vec2.new(0.0, 300.0), 0.0)
 
 
@@ -32,7 +32,7 @@ func test_one_line_without_length_refuses_all_and_keeps_the_old_ones() -> void:
 
 func test_a_line_too_far_away_is_refused() -> void:
 	var far := LineSegment.new(Vec2.new(), Vec2.new(2e6, 0.0))
-	assert_string_contains(Surroundings.new().set_segments([far]), "-1e6..1e6 px")
+	assert_string_contains(Surroundings.new().set_segments([far]), "-1000000..1000000 px")
 
 
 func test_balls_that_cannot_be_used_are_refused_and_the_old_ones_stay() -> void:
