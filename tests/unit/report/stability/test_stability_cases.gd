@@ -1,6 +1,5 @@
 extends LabTest
-## Every line of the stability table, tried as `./lab stability` does; those that say that they are
-## long, in their quick form.
+## Tries every line of the stability table as `./lab stability` does, long ones in their quick form.
 
 
 func test_case(case: StabilityCase = use_parameters(StabilityCases.all())) -> void:
