@@ -2,20 +2,24 @@
 extends Control
 ## A lesson: a controller between a model, the board that shows it, and the services in the panel.
 ##
-## The frame brings the services that the lesson's [LessonInfo] needs and then calls [method start].
-## There the lesson says what its state is ([method begin]) and how the student changes it:
-## [method on_edit], [method on_drag], [method on_move]. A change that cannot be made changes
-## nothing and returns a sentence, which is shown.
+## The lesson frame brings the services that the lesson's [LessonInfo] needs and then calls
+## [method start]. There the lesson says what its state is ([method begin]) and how the student
+## changes it: [method on_edit], [method on_drag], [method on_move]. A change that cannot be made
+## changes nothing and returns a sentence, which is shown.
 
-## The student has made a change that is complete: a drag has ended, a number was entered. The frame
-## keeps [method state] for undo.
+## The student has made a change that is complete: a drag has ended, a number was entered. The
+## lesson frame keeps [method state] for undo.
 signal edited
-## Everything is about to be shown after a complete change: the time to fit a view and to measure.
-signal settled
+## What moved by itself has stopped, or the student is about to change something. The frame keeps
+## [method state] for undo, too.
+signal motion_ended
+## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
+## to measure.
+signal about_to_show
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
 
-## The services that the frame has brought, by the names in [member LessonInfo.needs].
+## The services that the lesson frame has brought, by the names in [member LessonInfo.needs].
 var services: Dictionary[StringName, Control] = {}
 
 ## The step that is shown, counted from 0; 0 in a lesson without steps.
@@ -24,8 +28,10 @@ var step: int:
 		return services[&"steps"].get(&"step") if services.has(&"steps") else 0
 
 var _kept_model: LessonModel
-var _show_again: Callable
+var _show_model: Callable
 var _points_to_show: Callable
+# Null once the student has made a change.
+var _opening: OpeningMotion
 
 ## The board on which the lesson draws.
 @onready var board: Board = %Board
@@ -34,7 +40,7 @@ var _points_to_show: Callable
 @abstract func start() -> void
 
 
-# Run alone, as by F6 in the editor, the scene has no frame: the main scene opens it in one.
+# Run alone, as by F6 in the editor, the scene has no lesson frame: the main scene opens it in one.
 func _enter_tree() -> void:
 	if get_tree().current_scene == self:
 		process_mode = PROCESS_MODE_DISABLED
@@ -54,22 +60,75 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 		push_error(problem)
 		return
 	_kept_model = model
-	_show_again = show_model
+	_show_model = show_model
 	_points_to_show = points
 	resized.connect(show_all)
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
 			service.connect(&"view_changed", show_all)
+		if service.has_signal(&"halted"):
+			service.connect(&"halted", motion_ended.emit)
 	show_all()
 
 
-## When [param wire] is emitted, [param change] changes the model; the change is complete.
-func on_edit(wire: Signal, change: Callable) -> void:
-	wire.connect(
+## From the first frame until the student does anything, [param move] is called in each frame with
+## the seconds since then. It changes the model, from where it starts at 0 seconds, and gives no
+## answer away; after [constant OpeningMotion.LONGEST] the lesson is at its start again. Comes after
+## [method begin]. Where motion is reduced, nothing moves.
+func open_with(move: Callable) -> void:
+	if not OpeningMotion.is_allowed or Motion.is_reduced():
+		return
+	var show_moved := func(seconds: float) -> void:
+		move.call(seconds)
+		_show_model.call()
+	_opening = OpeningMotion.new(show_moved, show_state.bind(state()))
+	add_child(_opening)
+
+
+## Ends what [method open_with] moves, and leaves it where it is.
+func stop_opening() -> void:
+	if _opening:
+		_opening.stop()
+
+
+## Only for a lesson with steps. When the student goes forward to the step [param before], counted
+## from 0, for the first time, [param prompt], translated, is asked instead, and the [Guess] of the
+## scene, its unique name `%Guess`, appears where [param first] returns a [Vec2]. The next time
+## forward shows the step, and how far the guess is from where [param truth] returns the true point.
+## Where that returns null there is nothing to ask, and the step is shown at once.
+func ask_before(before: int, prompt: String, truth: Callable, first: Callable) -> void:
+	var guess := get_node(^"%Guess")
+	var ask := Callable(guess, &"ask").bind(truth, first)
+	var judge := Callable(guess, &"judge").bind(truth)
+	services[&"steps"].call(&"ask_before", before, prompt, ask, judge, Callable(guess, &"hide"))
+
+
+## The same with a button for each of the translated [param choices], each of which can follow
+## `it is`. [param right] returns the place of the right one, below 0 where there is nothing to ask.
+func ask_choice_before(
+	before: int, prompt: String, choices: PackedStringArray, right: Callable
+) -> void:
+	services[&"steps"].call(&"ask_choice_before", before, prompt, choices, right)
+
+
+## Asks everything once more that was asked before a step.
+func ask_again() -> void:
+	if services.has(&"steps"):
+		services[&"steps"].call(&"ask_again")
+
+
+## When [param trigger] is emitted, [param change] changes the model; the change is complete.
+func on_edit(trigger: Signal, change: Callable) -> void:
+	trigger.connect(
 		func(...arguments: Array) -> void:
+			# What the opening has moved is no change of its own: undo leads to the start.
+			if not _opening:
+				motion_ended.emit()
 			var problem: Variant = change.callv(arguments)
-			finish()
-			_notice(problem)
+			noticed.emit("")
+			finish_edit()
+			if problem:
+				noticed.emit(problem)
 	)
 
 
@@ -78,7 +137,7 @@ func on_edit(wire: Signal, change: Callable) -> void:
 func on_drag(moved: Signal, released: Signal, change: Callable) -> void:
 	moved.connect(func(..._arguments: Array) -> void: pause())
 	on_move(moved, change)
-	released.connect(finish)
+	released.connect(finish_edit)
 
 
 ## When a number in the formula is typed over, [param change] gets its name and its new value; the
@@ -87,13 +146,14 @@ func on_enter(change: Callable) -> void:
 	on_edit(Signal(services[&"formula"], &"number_entered"), change)
 
 
-## When [param wire] is emitted, as by what moves by itself, [param change] changes the model;
+## When [param trigger] is emitted, as by what moves by itself, [param change] changes the model;
 ## nothing is kept for undo. For what the student moves there is [method on_drag].
-func on_move(wire: Signal, change: Callable) -> void:
-	wire.connect(
+func on_move(trigger: Signal, change: Callable) -> void:
+	trigger.connect(
 		func(...arguments: Array) -> void:
 			_notice(change.callv(arguments))
-			_show_again.call()
+			_end_answer()
+			_show_model.call()
 	)
 
 
@@ -113,14 +173,17 @@ func on_point(button: MouseButton, change: Callable) -> void:
 			if pressed == button:
 				pause()
 				_notice(change.call(at))
-				_show_again.call()
+				_end_answer()
+				_show_model.call()
 	)
-	if not board.released.is_connected(finish):
-		board.released.connect(finish)
+	if not board.released.is_connected(finish_edit):
+		board.released.connect(finish_edit)
 
 
-## A change is complete: shows everything and has the frame keep the state for undo.
-func finish() -> void:
+## A change is complete: shows everything and has the lesson frame keep the state for undo.
+func finish_edit() -> void:
+	_opening = null
+	_end_answer()
 	show_all()
 	edited.emit()
 
@@ -130,15 +193,15 @@ func show_all() -> void:
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
-	settled.emit()
+	about_to_show.emit()
 	for service: Control in services.values():
 		if service.has_method(&"show_picked"):
 			service.call(&"show_picked", _kept_model.to_dictionary())
-	_show_again.call()
+	_show_model.call()
 
 
 ## Tells these translated sentences, one for each step. Call it first in what shows the model: it
-## sets [member step], which is the last one at the start.
+## sets [member step], which is 0 at the start.
 func tell_steps(sentences: PackedStringArray) -> void:
 	services[&"steps"].call(&"tell", sentences)
 
@@ -162,6 +225,7 @@ func state() -> Dictionary:
 ## Shows what [method state] returned; emits nothing.
 func show_state(stored: Dictionary) -> void:
 	pause()
+	_end_answer()
 	_kept_model.from_dictionary(stored)
 	show_all()
 
@@ -191,6 +255,12 @@ func link_problem(linked: Dictionary) -> String:
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
 	show_state(_kept_model.state_of_link(linked) if _kept_model else linked)
+
+
+# What was said about a prediction is about the board as it was.
+func _end_answer() -> void:
+	if services.has(&"steps"):
+		services[&"steps"].call(&"end_answer")
 
 
 func _notice(problem: Variant) -> void:

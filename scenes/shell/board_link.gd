@@ -34,32 +34,34 @@ func text() -> String:
 	return "%s?%s" % [_id, differing] if differing else _id
 
 
+## "" if the board as it is can be put into a link; else one sentence on why it cannot.
+func problem() -> String:
+	var found := _read(text().trim_prefix(_id).trim_prefix("?")).problem
+	if not found:
+		return ""
+	return TranslationServer.translate("This board cannot be put into a link: %s") % found
+
+
 ## Copies the link to the board as it is: in a browser the page's whole address, else the text
-## behind its #. Returns one sentence that says what was copied.
+## behind its #. Returns one sentence that says what was copied; "" where the page says it.
 func copy() -> String:
-	var whole := text()
-	var problem := _read(whole.trim_prefix(_id).trim_prefix("?")).problem
-	if problem:
-		return TranslationServer.translate("This board cannot be put into a link: %s") % problem
 	if WebPage.is_there():
-		WebPage.put_fragment(whole)
-		DisplayServer.clipboard_set(WebPage.address())
-		return TranslationServer.translate("Link copied. It is in the address bar, too.")
-	_put_into_clipboard("#" + whole)
-	var shown := "#" + whole
+		WebPage.copy_link(text())
+		return ""
+	var shown := "#" + text()
+	if DisplayServer.has_feature(DisplayServer.FEATURE_CLIPBOARD):
+		DisplayServer.clipboard_set(shown)
 	if shown.length() > _LONGEST_SHOWN:
 		shown = shown.left(_LONGEST_SHOWN) + "…"
 	return (
-		TranslationServer.translate(
-			"Copied: %s It goes behind the address of the lab's page, or behind --lesson= as '%s'."
+		(
+			TranslationServer
+			. translate(
+				"✓ Copied: %s It goes behind the address of the lab's page, or behind --lesson= as '%s'."
+			)
 		)
 		% [shown, shown]
 	)
-
-
-func _put_into_clipboard(link: String) -> void:
-	if DisplayServer.has_feature(DisplayServer.FEATURE_CLIPBOARD):
-		DisplayServer.clipboard_set(link)
 
 
 func _read(text_of_state: String) -> LessonLink:

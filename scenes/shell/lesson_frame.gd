@@ -1,7 +1,6 @@
 class_name LessonFrame
 extends PanelContainer
-## The frame around a lesson: title, board, panel with the services that the lesson needs, help,
-## undo.
+## The lesson frame: title, board, panel with the services that the lesson needs, help, undo.
 
 ## The student wants to leave. A way back is offered only where something listens.
 signal left
@@ -11,13 +10,22 @@ signal other_lesson_wanted(lesson: LessonInfo)
 ## The scene of a service, `%` the name in [member LessonInfo.needs].
 const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 
+## What is in this group can be hidden for a class, and keeps its place.
+const ANSWERS := &"answers"
+
 const _ACTIONS: Array[StringName] = [
-	&"lab_reset", &"lab_undo", &"lab_redo", &"lab_copy_link", &"ui_focus_next"
+	&"lab_reset",
+	&"lab_undo",
+	&"lab_redo",
+	&"lab_copy_link",
+	&"lab_hide_answers",
+	&"lab_motion",
+	&"ui_focus_next"
 ]
 const _NO_ACTIONS: Array[StringName] = []
 
-## The lesson to open, set before the frame enters the tree; else the first one. A demo holds only
-## one.
+## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
+## only one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -35,9 +43,12 @@ var _help_actions: Array[StringName] = _ACTIONS.duplicate()
 @onready var _services: VBoxContainer = %Services
 @onready var _panel: ScrollContainer = %Panel
 @onready var _notice: Label = %Notice
+@onready var _notice_place: PanelContainer = %NoticePlace
 @onready var _help: Label = %Help
 @onready var _undo: Button = %Undo
 @onready var _redo: Button = %Redo
+@onready var _answers: Button = %Answers
+@onready var _motion: Button = %Motion
 
 
 ## Notes the first error that is logged while it listens.
@@ -65,6 +76,7 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	SoftwareDrawing.fill_window(get_window(), true)
@@ -75,6 +87,10 @@ func _ready() -> void:
 	(%CopyLink as Button).pressed.connect(_act.bind(&"lab_copy_link"))
 	_undo.pressed.connect(_act.bind(&"lab_undo"))
 	_redo.pressed.connect(_act.bind(&"lab_redo"))
+	_answers.toggled.connect(_show_answers)
+	_motion.set_pressed_no_signal(not Motion.is_reduced())
+	_motion.toggled.connect(_allow_motion)
+	set_process(false)
 	resized.connect(_turn)
 	_turn()
 	_open()
@@ -85,9 +101,11 @@ func _ready() -> void:
 
 ## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone.
 func follow_link(text: String) -> void:
+	_end_drags()
 	LessonRequest.ask(text)
 	_open_requested()
-	_history.store()
+	if _history:
+		_history.store()
 
 
 func _exit_tree() -> void:
@@ -100,16 +118,51 @@ func _unhandled_input(event: InputEvent) -> void:
 	for action: StringName in [&"lab_undo", &"lab_redo", &"lab_reset", &"lab_copy_link"]:
 		if event.is_action_pressed(action, false, true):
 			_act(action)
+	if event.is_action_pressed(&"lab_hide_answers"):
+		_answers.button_pressed = not _answers.button_pressed
+	elif event.is_action_pressed(&"lab_motion"):
+		_motion.button_pressed = not _motion.button_pressed
+
+
+# Answers that come while all are hidden are hidden, too.
+func _process(_delta: float) -> void:
+	get_tree().set_group(ANSWERS, "modulate", Color.TRANSPARENT)
 
 
 func _input(event: InputEvent) -> void:
-	# A notice is shown until the next input, which may bring another.
 	if event.is_pressed():
+		# A notice is shown until the next input, which may bring another.
 		_show_notice("")
+		# A key may remove what is dragged, and two fingers are for the page.
+		var touch := event as InputEventScreenTouch
+		if touch and touch.index > 0 or _is_action(event):
+			_end_drags()
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
 		_show_help(true)
+
+
+# What the focused control uses is no shortcut besides: Space on a button presses it, and no more.
+func _unhandled_key_input(event: InputEvent) -> void:
+	var focused := get_viewport().gui_get_focus_owner()
+	if event.is_action(&"ui_accept") and focused is BaseButton:
+		get_viewport().set_input_as_handled()
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_WM_WINDOW_FOCUS_OUT:
+		_end_drags()
+
+
+func _is_action(event: InputEvent) -> bool:
+	return InputMap.get_actions().any(event.is_action_pressed.bind(true))
+
+
+# Whatever is dragged is let go where it is.
+func _end_drags() -> void:
+	if lesson:
+		lesson.propagate_call(&"end_drag")
 
 
 func _open() -> void:
@@ -117,17 +170,17 @@ func _open() -> void:
 	OS.add_logger(errors)
 	_start_lesson()
 	OS.remove_logger(errors)
+	WebPage.follow_fragment(follow_link)
 	if errors.first:
 		_say_why_not_opened(errors.first)
 		return
 	_history = LessonHistory.new(lesson)
-	add_child(_history)
 	_history.changed.connect(_refresh_buttons)
 	lesson.edited.connect(_history.store)
+	lesson.motion_ended.connect(_history.store_motion)
 	link = BoardLink.new(lesson_info.id, lesson)
 	_open_requested()
 	_history.begin_here()
-	WebPage.follow_fragment(follow_link)
 
 
 func _start_lesson() -> void:
@@ -160,7 +213,7 @@ func _say_why_not_opened(why: String) -> void:
 	paper.set_anchors_preset(PRESET_FULL_RECT)
 	_board_place.add_child(paper)
 	_board_place.add_child(words)
-	(%NoticePlace as Control).move_to_front()
+	_notice_place.move_to_front()
 
 
 func _add_service(need: String) -> Control:
@@ -200,7 +253,8 @@ func _act(action: StringName) -> void:
 		&"lab_reset":
 			_history.reset()
 		&"lab_copy_link":
-			_show_notice(link.copy())
+			var problem := link.problem()
+			_show_notice(problem if problem else link.copy(), not problem)
 
 
 # A lesson that is not in the index has no number.
@@ -212,13 +266,13 @@ func _title() -> String:
 # Opens what was asked for: a state of this lesson's board, or another lesson.
 func _open_requested() -> void:
 	var id := LessonRequest.take_id()
-	var other := LessonIndex.find(id)
-	if not id or id == lesson_info.id:
-		_open_state(LessonRequest.take_state(lesson_info.id), id != "")
-	elif other:
-		other_lesson_wanted.emit(other)
-	else:
+	var wanted := LessonIndex.find(id) if id else lesson_info
+	if not wanted:
 		_show_notice(LessonIndex.refusal(id))
+	elif wanted != lesson_info or not link:
+		other_lesson_wanted.emit(wanted)
+	else:
+		_open_state(LessonRequest.take_state(lesson_info.id), id != "")
 
 
 # A link that names only the lesson asks for its start. Without a link the lesson is at its start.
@@ -228,6 +282,8 @@ func _open_state(text_of_state: String, is_named: bool) -> void:
 	var problem := link.open(text_of_state)
 	if problem:
 		_show_notice(problem)
+	elif text_of_state:
+		lesson.stop_opening()
 
 
 func _offer_way_back() -> void:
@@ -238,9 +294,33 @@ func _offer_way_back() -> void:
 		_help_actions.push_front(&"lab_back")
 
 
-func _show_notice(message: String) -> void:
+# A refusal lies on the board; good news, which looks otherwise, beside it: there it hides no verdict.
+func _show_notice(message: String, is_news: bool = false) -> void:
 	_notice.text = message
-	(%NoticePlace as Control).visible = message != ""
+	_notice_place.visible = message != ""
+	_notice_place.theme_type_variation = &"PanelCard" if is_news else &"PanelNotice"
+	var below: Control = _panel if is_news else _board_place
+	var corner := below.global_position - _board_place.global_position + Vector2(10.0, 10.0)
+	_notice_place.set_begin(corner)
+	_notice_place.set_end(corner + Vector2(below.size.x - 20.0 - _board_place.size.x, 0.0))
+
+
+# The modulation is not the lesson's, as the visibility is.
+func _show_answers(on: bool) -> void:
+	set_process(not on)
+	get_tree().set_group(ANSWERS, "modulate", Color.WHITE if on else Color.TRANSPARENT)
+	# A still picture is drawn again when something in it is.
+	get_tree().call_group(ANSWERS, &"queue_redraw")
+	for service in _services.get_children():
+		if &"hides_numbers" in service:
+			service.set(&"hides_numbers", not on)
+
+
+func _allow_motion(on: bool) -> void:
+	Motion.reduce(not on)
+	if lesson and not on:
+		lesson.stop_opening()
+		lesson.pause()
 
 
 func _show_help(for_joypad: bool) -> void:

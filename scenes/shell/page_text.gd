@@ -47,13 +47,14 @@ func _process(delta: float) -> void:
 		return
 	_seconds = 0.0
 	var text := of(_parts)
-	if text != _text:
+	# Nobody wants to hear every number that an opening runs through.
+	if text != _text and not (_text and OpeningMotion.is_running):
 		_text = text
 		changed.emit(text)
 
 
 static func _lines_in(control: Control) -> PackedStringArray:
-	if not control.is_visible_in_tree():
+	if not control.is_visible_in_tree() or not control.modulate.a:
 		return []
 	if control is GridContainer:
 		return _rows_of(control as GridContainer)

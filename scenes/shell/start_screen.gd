@@ -7,6 +7,7 @@ const _CARD := preload("res://scenes/shell/lesson_card.tscn")
 
 
 func _ready() -> void:
+	LabText.choose_language()
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
 	Signs.add_to_font()

@@ -10,9 +10,16 @@ const SMALLEST := 1e-100
 ## No number is larger in size than this.
 const LARGEST := 1e100
 
-const _PATTERN := "^(-?)(?=\\.?\\d)(\\d{0,30})(?:\\.(\\d{0,30}))?(?:[eE]([+-]?\\d{1,3}))?\\z"
-# More digits do not fit into an int; no double needs more than 17.
-const _MOST_DIGITS := 18
+const _PATTERN := "^([+-]?)(?=\\.?\\d)(\\d*)(?:\\.(\\d*))?(?:e([+-]?0*\\d{1,3}))?\\z"
+# More digits change nothing in a double: DoubleDouble has 31.
+const _MOST_DIGITS := 36
+# So many digits at once are read into an int.
+const _DIGITS_AT_ONCE := 9
+# Other minus signs, as word processors and people who write formulas put them.
+const _DASHES: PackedStringArray = ["\u2212", "\u2013", "\u2012"]
+# Letters of full width, as East Asian keyboards write them, and how far they are from those of ASCII.
+const _FULL_WIDTH := 0xff01
+const _FROM_ASCII := 0xfee0
 
 static var _pattern := RegEx.create_from_string(_PATTERN)
 
@@ -25,39 +32,53 @@ static func of(value: float) -> String:
 	return String.num_scientific(value).replace("e+", "e").replace("e-0", "e-")
 
 
-## The number that [param text] says, rounded correctly. NaN for what is no decimal number, has more
-## than 18 digits, or is neither 0 nor within [constant SMALLEST] to [constant LARGEST] in size.
+## The number that [param text] says, rounded correctly, in any of the ways in which people write it:
+## `-2.5`, `+3`, `1,5`, `.5`, `3E8`, with a true minus, with spaces around it. NaN for what is no
+## decimal number, or is neither 0 nor within [constant SMALLEST] to [constant LARGEST] in size.
 static func value_of(text: String) -> float:
-	var found := _pattern.search(text)
+	var found := _pattern.search(_in_ascii(text))
 	if not found:
 		return NAN
 	var decimals := found.get_string(3)
 	var digits := (found.get_string(2) + decimals).lstrip("0")
-	if digits.length() > _MOST_DIGITS:
-		return NAN
-	var size := _size_of(digits.to_int(), found.get_string(4).to_int() - decimals.length())
-	return -size if found.get_string(1) else size
+	var size := _size_of(digits, found.get_string(4).to_int() - decimals.length())
+	return -size if found.get_string(1) == "-" else size
 
 
-# whole * 10^exponent.
-static func _size_of(whole: int, exponent: int) -> float:
-	if whole == 0:
+static func _in_ascii(text: String) -> String:
+	var plain := text.strip_edges()
+	for dash in _DASHES:
+		plain = plain.replace(dash, "-")
+	for i in plain.length():
+		var code := plain.unicode_at(i)
+		if code >= _FULL_WIDTH:
+			plain[i] = String.chr(code - _FROM_ASCII)
+	return plain.to_lower().replace(",", ".")
+
+
+# digits * 10^exponent, for digits that do not begin with 0.
+static func _size_of(digits: String, exponent: int) -> float:
+	if not digits:
 		return 0.0
-	var rough := log(float(whole)) / log(10.0) + exponent
-	# Beyond this 10^exponent would be out of range, too.
-	if absf(rough) > 101.0:
+	# 10^power is just above the number. Far beyond the range it could not be computed.
+	var power := digits.length() + exponent
+	if absi(power) > 101:
 		return NAN
-	var power := _power_of_ten(absi(exponent))
-	var number := _exactly(whole)
-	number = number.times(power) if exponent >= 0 else number.divided(power)
-	var size := number.to_float()
+	var kept := digits.left(_MOST_DIGITS)
+	var places := power - kept.length()
+	var scale := _power_of_ten(absi(places))
+	var whole := _exactly(kept)
+	var size := (whole.times(scale) if places >= 0 else whole.divided(scale)).to_float()
 	return size if size >= SMALLEST and size <= LARGEST else NAN
 
 
-# An int can have more bits than a double, so it is split into two parts.
-static func _exactly(whole: int) -> DoubleDouble:
-	var lower := whole % 1_000_000_000
-	return DoubleDouble.sum_of(float(whole - lower), float(lower))
+static func _exactly(digits: String) -> DoubleDouble:
+	var number := DoubleDouble.from_float(0.0)
+	for at in range(0, digits.length(), _DIGITS_AT_ONCE):
+		var part := digits.substr(at, _DIGITS_AT_ONCE)
+		number = number.times(DoubleDouble.from_float(10.0 ** part.length()))
+		number = number.plus(DoubleDouble.from_float(part.to_int()))
+	return number
 
 
 static func _power_of_ten(exponent: int) -> DoubleDouble:

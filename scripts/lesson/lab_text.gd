@@ -7,3 +7,10 @@ extends RefCounted
 ## models: nodes have [method Object.tr].
 static func translate(sentence: String) -> String:
 	return TranslationServer.translate(sentence)
+
+
+## Goes back to English where the lab does not know the system's language: a line without letters,
+## such as a formula, runs in the direction of the chosen language.
+static func choose_language() -> void:
+	if not TranslationServer.has_translation_for_locale(TranslationServer.get_locale(), false):
+		TranslationServer.set_locale("en")

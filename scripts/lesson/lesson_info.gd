@@ -13,7 +13,7 @@ extends Resource
 ## What one sees in the lesson: one line, source text, English.
 @export var summary: String
 
-## Services that the frame brings, in the order in which the panel shows them: names of scenes in
+## Services that the lesson frame brings, in the order in which the panel shows them: scenes in
 ## `scenes/widgets/services/`. What is not named here is not loaded.
 @export var needs: PackedStringArray
 

@@ -15,6 +15,8 @@ const MOST_LISTS := 100
 
 # A refused text is quoted with at most this many letters.
 const _LONGEST_QUOTE := 30
+# Names of values that chats, mails and shops add to links, to see who follows them.
+const _TRACKERS := "^(utm_\\w+|\\w*cl(k)?id|igsh(id)?|mc_[ce]id|_\\w+|mkt_tok|srsltid|ref)$"
 
 ## The state that was read; meaningless if there is a [member problem].
 var state: Dictionary
@@ -77,6 +79,8 @@ static func _list_text(list: PackedFloat64Array) -> String:
 func _take(part: String, base: Dictionary) -> void:
 	var name := part.get_slice("=", 0)
 	if not base.has(name):
+		if RegEx.create_from_string(_TRACKERS).search(name):
+			return
 		var sentence := LabText.translate("There is no value “%s” here. There are: %s.")
 		problem = sentence % [quoted(name), ", ".join(base.keys())]
 	elif not part.contains("="):
@@ -114,9 +118,9 @@ func _take_switch(name: String, text: String) -> void:
 
 
 func _take_whole_number(name: String, text: String) -> void:
-	# More digits may be more than an int holds.
-	if text.is_valid_int() and text.length() < 10:
-		state[name] = text.to_int()
+	var number := DecimalText.value_of(text)
+	if number == roundf(number) and absf(number) < 1e9:
+		state[name] = int(number)
 	else:
 		problem = LabText.translate("%s must be a whole number, not “%s”.") % [name, quoted(text)]
 

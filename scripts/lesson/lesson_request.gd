@@ -4,6 +4,10 @@ extends RefCounted
 ## was started, or `#<id>?<state>` in a browser's address. The state may be left out.
 
 const _ARGUMENT := "--lesson="
+# What a chat or a mail puts behind a link.
+const _BEHIND := ".,;:!)]}>\"'”’ \n"
+# A letter as an address writes it, in 1 to 3 bytes. Others cannot belong to a request.
+const _ESCAPE := "(?i)%(?:[2-7][\\da-f]|(?:c[2-9a-f]|d[\\da-f]|e[1-9a-cef]%[89ab][\\da-f])%[89ab][\\da-f])"
 
 static var _is_read := false
 static var _id := ""
@@ -12,13 +16,16 @@ static var _state := ""
 static var _lesson_of_state := ""
 
 
-## From now on [param text], such as `dot_product?a=7,1`, is what was asked for.
+## From now on [param text], such as `dot_product?a=7,1` or a whole address, is what was asked for. It
+## may look as chats and mails leave it: `<#/Dot_Product/?a=7,1&amp;b=8,-6>.`
 static func ask(text: String) -> void:
 	_is_read = true
-	var plain := _without_escapes(text.trim_prefix("#"))
-	_id = plain.get_slice("?", 0)
-	_state = plain.trim_prefix(_id).trim_prefix("?")
-	_lesson_of_state = _id
+	var plain := _without_escapes(text).xml_unescape().to_lower()
+	plain = plain.substr(plain.find("#") + 1).lstrip("/!").rstrip(_BEHIND).replace("?", "&")
+	_lesson_of_state = plain.get_slice("&", 0)
+	_state = plain.trim_prefix(_lesson_of_state).trim_prefix("&")
+	_lesson_of_state = _lesson_of_state.rstrip("/")
+	_id = _lesson_of_state
 
 
 ## The id asked for; "" if none was. Only the first call returns it: later the start screen stays
@@ -53,10 +60,9 @@ static func _text_at_start() -> String:
 	return text if text else WebPage.fragment()
 
 
-# Browsers and chats write some letters of a link as %2C or %2c; the engine decodes the former only.
-# An escape that is no letter of ASCII cannot belong to a request and stays as it is.
+# The engine decodes escapes in capitals only: %2C, not %2c.
 static func _without_escapes(text: String) -> String:
 	var plain := text
-	for escape in RegEx.create_from_string("%(?:[2-6][0-9A-Fa-f]|7[0-9A-Ea-e])").search_all(text):
+	for escape in RegEx.create_from_string(_ESCAPE).search_all(text):
 		plain = plain.replace(escape.get_string(), escape.get_string().to_upper().uri_decode())
 	return plain

@@ -9,16 +9,26 @@ var number: int
 var title: String
 ## One or two sentences that name the mistake and what it does, translated.
 var sentence: String
-## The test that catches it: `<test script>.<test method>`, without folder and ending.
+## The test that catches it, for people who read the code: `<test script>.<test method>`, without
+## folder and ending.
 var test: String
+## What this test checks, in words that a student understands: one translated sentence.
+var checks := ""
 
 
 ## A mistake with all that a lesson shows of it.
-func _init(its_number: int, its_title: String, its_sentence: String, its_test: String) -> void:
+func _init(
+	its_number: int,
+	its_title: String,
+	its_sentence: String,
+	its_test: String,
+	its_checks: String = ""
+) -> void:
 	number = its_number
 	title = its_title
 	sentence = its_sentence
 	test = its_test
+	checks = its_checks
 
 
 ## What the list that one picks from shows: number and title, translated.

@@ -5,9 +5,6 @@ extends RefCounted
 ## The true minus sign, as wide as a plus.
 const MINUS := "\u2212"
 
-## Typed numbers stay below this in size, so that products of two stay finite.
-const LARGEST := 1e100
-
 
 ## [param value] with at most [param digits] significant digits, or as many as there are before the
 ## point, and without trailing zeros: `7`, `0.8`, `-3.25`, `12346`; below 1e-4 and from 1e7 on as
@@ -48,9 +45,12 @@ static func factor(value: float, digits: int = 4) -> String:
 	return "(%s)" % short(value, digits) if value < 0.0 else short(value, digits)
 
 
-## The number that [method short] shows: [param value] with [param digits] digits.
+## The number that [method short] shows, to a unit in the last place: [param value] with
+## [param digits] digits. Called many times a frame, so the engine reads the text.
 static func rounded(value: float, digits: int = 4) -> float:
-	return parse(short(value, digits)) if is_finite(value) else value
+	if not is_finite(value):
+		return value
+	return short(value, digits).replace(MINUS, "-").to_float()
 
 
 ## One unit of the last digit that [method short] shows of [param value], if no zero were left out:
@@ -63,29 +63,23 @@ static func last_digit(value: float, digits: int = 4) -> float:
 	return pow(10.0, last if _is_unhandy(value) else mini(last, 0))
 
 
-## "" if [param text] is a number that the lab takes; else one sentence with the text and what is
-## allowed.
+## "" if [param text] is a number that [DecimalText] takes; else one sentence with the text and what
+## is allowed.
 static func problem(text: String) -> String:
-	var plain := _plain(text)
-	if not plain.is_valid_float() or not is_finite(plain.to_float()):
-		return (
-			TranslationServer.translate("“%s” is not a number: type one like 7, -2.5 or 3e8.")
-			% text
+	if not is_nan(parse(text)):
+		return ""
+	var sentence := (
+		LabText
+		. translate(
+			"“%s” cannot be taken: type 0 or a number from 1e-100 to 1e100 in size, like 7, -2.5 or 3e8."
 		)
-	if absf(plain.to_float()) > LARGEST:
-		return (
-			TranslationServer.translate("%s is too large: numbers go from -1e100 to 1e100.") % text
-		)
-	return ""
+	)
+	return sentence % LessonLink.quoted(text)
 
 
 ## The number in [param text], for a text without a [method problem].
 static func parse(text: String) -> float:
-	return _plain(text).to_float()
-
-
-static func _plain(text: String) -> String:
-	return text.strip_edges().replace(MINUS, "-").replace(",", ".")
+	return DecimalText.value_of(text)
 
 
 static func _is_unhandy(value: float) -> bool:

@@ -20,15 +20,10 @@ static func fragment() -> String:
 	return str(JavaScriptBridge.eval("window.location.hash")) if is_there() else ""
 
 
-## The whole address.
-static func address() -> String:
-	return str(JavaScriptBridge.eval("window.location.href")) if is_there() else ""
-
-
-## Puts [param text] behind the # of the address, so that loading the page again keeps it; tells no
-## follower.
-static func put_fragment(text: String) -> void:
-	_run("window.history.replaceState(null, '', '#' + %s)", text)
+## Puts [param text] behind the # of the address, so that loading the page again keeps it, and has
+## the page copy the address and say so; tells no follower.
+static func copy_link(text: String) -> void:
+	_run("window.history.replaceState(null,'','#'+%s);window.vec2_lab?.copy_link?.()", text)
 
 
 ## From now on [param follower], and nobody else, is called with the part of the address from # on
@@ -38,6 +33,12 @@ static func follow_fragment(follower: Callable) -> void:
 	if is_there() and not _listener:
 		_listener = JavaScriptBridge.create_callback(_tell_follower)
 		JavaScriptBridge.get_interface("window").call(&"addEventListener", "hashchange", _listener)
+
+
+## Whether the person who uses the browser wants little to move by itself.
+static func asks_for_reduced_motion() -> bool:
+	var question := "window.matchMedia('(prefers-reduced-motion: reduce)').matches"
+	return is_there() and JavaScriptBridge.eval(question) == true
 
 
 ## Gives the page the words that are on the screen, for people who do not see it.

@@ -45,6 +45,65 @@ func test_a_lesson_whose_start_cannot_be_shown_says_so_in_the_window() -> void:
 	assert_reads("The lesson “impossible” could not be opened: The radius must not be -1.")
 
 
+func test_in_place_of_a_lesson_that_cannot_start_another_can_be_opened() -> void:
+	await open_lesson(_IMPOSSIBLE)
+	assert_push_error("The radius must not be -1.")
+	watch_signals(frame())
+	frame().follow_link("#no_such_lesson")
+	assert_reads("There is no lesson “no_such_lesson”.")
+	frame().follow_link("#normals?mistake=9")
+	assert_signal_emitted_with_parameters(
+		frame(), "other_lesson_wanted", [LessonIndex.find(&"normals")]
+	)
+
+
+func test_the_address_is_followed_by_every_lesson_also_by_one_that_cannot_start() -> void:
+	for lesson: LessonInfo in [_STILL, _IMPOSSIBLE]:
+		await open_lesson(lesson)
+		assert_eq(WebPage._follower, frame().follow_link, lesson.id)
+		screen().free()
+	assert_push_error("The radius must not be -1.")
+
+
+func test_good_news_does_not_look_like_a_refusal() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	var place := frame().get_node("%NoticePlace") as PanelContainer
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "abc")
+	var of_refusal := place.get_theme_stylebox(&"panel")
+	await student.press_key(KEY_ESCAPE)
+	await student.press(&"lab_copy_link")
+	assert_reads("✓ Copied: ")
+	assert_ne(place.get_theme_stylebox(&"panel"), of_refusal)
+
+
+func test_good_news_covers_no_board_and_a_refusal_covers_no_panel() -> void:
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(800, 600), Vector2i(720, 1280)]:
+		await resize(size)
+		for lesson: LessonInfo in LessonIndex.lessons():
+			await open_lesson(lesson)
+			var place := frame().get_node("%NoticePlace") as Control
+			var board := frame().get_node("%BoardPlace") as Control
+			await student.press(&"lab_copy_link")
+			var rect := place.get_global_rect()
+			assert_true(place.visible)
+			assert_false(rect.intersects(board.get_global_rect()), "%s at %s" % [lesson.id, size])
+			assert_true(screen().get_global_rect().encloses(rect), "%s at %s" % [lesson.id, size])
+			frame().follow_link("#no_such_lesson")
+			await student.settle()
+			rect = place.get_global_rect()
+			assert_true(board.get_global_rect().encloses(rect), "%s at %s" % [lesson.id, size])
+			screen().free()
+
+
+func test_a_good_change_clears_the_refusal_of_the_one_before() -> void:
+	for id: StringName in [&"dot_product", &"reflection"]:
+		await open_lesson(LessonIndex.find(id))
+		frame().lesson.noticed.emit("This is refused.")
+		frame().lesson.services[&"formula"].emit_signal(&"number_entered", "ax", 2.0)
+		assert_does_not_read("This is refused.")
+		screen().free()
+
+
 func test_the_back_button_leads_to_the_start_screen() -> void:
 	await open_start_screen()
 	await student.press_key(KEY_ENTER)

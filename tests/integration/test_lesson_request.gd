@@ -25,8 +25,8 @@ func test_a_request_names_a_lesson_and_perhaps_a_state() -> void:
 		["#dot_product?a=7,1&b=8,-6", "dot_product", "a=7,1&b=8,-6"],
 		["#dot_product%3Fa%3D7%2c1", "dot_product", "a=7,1"],
 		["#no%20lesson", "no lesson", ""],
-		["#a?b?c", "a", "b?c"],
-		["#%FF%zz%", "%FF%zz%", ""],
+		["#a?b?c", "a", "b&c"],
+		["#%FF%zz%", "%ff%zz%", ""],
 		["#", "", ""],
 		["", "", ""],
 	]:
@@ -34,6 +34,34 @@ func test_a_request_names_a_lesson_and_perhaps_a_state() -> void:
 		LessonRequest.ask(text)
 		assert_eq(LessonRequest.take_id(), str(row[1]), text)
 		assert_eq(LessonRequest.take_state(str(row[1])), str(row[2]), text)
+
+
+func test_a_link_that_a_chat_or_a_mail_has_touched_is_the_same_request() -> void:
+	for text: String in [
+		"#/dot_product?a=7,1&b=8,-6",
+		"#!/dot_product/?a=7,1&b=8,-6",
+		"#Dot_Product?A=7,1&B=8,-6",
+		"#DOT_PRODUCT?A=7,1&B=8,-6",
+		"#dot_product?a=7,1&amp;b=8,-6",
+		"#dot_product?a=7,1&#38;b=8,-6",
+		"#dot_product%3Fa=7%2C1%26b=8,-6",
+		"#dot_product%3fa%3d7%2c1%26amp%3bb%3d8%2c-6",
+		"#dot_product?a=7,1&b=8,-6.",
+		"#dot_product?a=7,1&b=8,-6).",
+		"<#dot_product?a=7,1&b=8,-6>",
+		"(“#dot_product?a=7,1&b=8,-6”)",
+		"https://example.org/lab/index.html?fbclid=x#dot_product?a=7,1&b=8,-6",
+		"<https://example.org/lab/#/dot_product?a=7,1&b=8,-6>,",
+		" #dot_product?a=7,1&b=8,-6\n",
+	]:
+		LessonRequest.ask(text)
+		assert_eq(LessonRequest.take_id(), "dot_product", text)
+		assert_eq(LessonRequest.take_state("dot_product"), "a=7,1&b=8,-6", text)
+
+
+func test_signs_of_numbers_survive_an_address() -> void:
+	LessonRequest.ask("#dot_product?a=+3,%E2%88%924&b=%EF%BC%91,0")
+	assert_eq(LessonRequest.take_state("dot_product"), "a=+3,−4&b=１,0")
 
 
 func test_a_state_is_given_to_its_lesson_only_and_only_once() -> void:

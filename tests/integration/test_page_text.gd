@@ -25,9 +25,9 @@ func test_what_is_dragged_is_told() -> void:
 func test_a_notice_is_told_while_it_stands() -> void:
 	await open_lesson(LessonIndex.find(&"dot_product"))
 	await student.press(&"lab_copy_link")
-	assert_ne(_line_with("Copied: "), "")
+	assert_ne(_line_with("✓ Copied: "), "")
 	await student.press_key(KEY_F9)
-	assert_eq(_line_with("Copied: "), "")
+	assert_eq(_line_with("✓ Copied: "), "")
 
 
 func test_a_question_is_told_once_it_is_unfolded() -> void:

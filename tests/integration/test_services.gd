@@ -61,6 +61,14 @@ func test_a_mistake_is_picked_by_its_number_and_shows_the_state() -> void:
 	assert_signal_emitted_with_parameters(mistakes, "picked", [{"mistake": 0}])
 
 
+func test_a_mistake_is_told_with_what_its_test_checks_not_with_the_name_of_the_test() -> void:
+	var mistakes := _added("mistakes") as Mistakes
+	mistakes.add_all([MistakeInfo.new(9, "a title", "It is wrong.", "test_a.test_b", "It checks.")])
+	mistakes.show_picked({"mistake": 9})
+	var sentence := mistakes.get_node("%Sentence") as Label
+	assert_eq(sentence.text, "It is wrong.\nIt checks.")
+
+
 func test_a_question_is_shown_where_its_numbers_are_taken() -> void:
 	var question := _added("question") as Question
 	var shown := question.get_node("%Show") as Button

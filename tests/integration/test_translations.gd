@@ -46,7 +46,7 @@ func test_no_text_of_a_lesson_is_left_in_english() -> void:
 		await student.settle()
 		_assert_nothing_in_english(lesson.id)
 		for step: int in 8:
-			await student.press(&"lab_step_back")
+			await student.press(&"lab_previous_step")
 			_assert_nothing_in_english("%s, a step back" % lesson.id)
 		screen().free()
 

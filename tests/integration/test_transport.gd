@@ -71,6 +71,26 @@ func test_the_key_for_slow_switches_slow_motion() -> void:
 	assert_false(slow.button_pressed)
 
 
+func test_play_shows_a_pause_sign_while_time_runs_and_only_then() -> void:
+	var play := Screen.button(screen(), "Play or pause") as Button
+	var play_sign := play.icon
+	for switch: Callable in [student.press.bind(&"lab_pause"), click_button.bind("Play or pause")]:
+		await switch.call()
+		assert_true(play.icon.resource_path.ends_with("pause.svg"), play.icon.resource_path)
+		await switch.call()
+		assert_same(play.icon, play_sign)
+	await student.press(&"lab_pause")
+	frame().lesson.pause()
+	assert_same(play.icon, play_sign, "also where something else stops it")
+
+
+func test_keys_go_one_frame_on_and_back() -> void:
+	await student.press(&"lab_next_frame")
+	assert_almost_eq(_seconds(), _FRAME_SECONDS, 1e-12)
+	await student.press(&"lab_previous_frame")
+	assert_almost_eq(_seconds(), 0.0, 1e-12)
+
+
 func _transport() -> Transport:
 	return frame().lesson.services[&"transport"] as Transport
 

@@ -14,6 +14,9 @@ var student: Student
 func before_all() -> void:
 	for layer: Node in get_tree().root.find_children("*", "CanvasLayer", true, false):
 		(layer as CanvasLayer).hide()
+	# What opens a lesson moves only in a test that asks for it.
+	OpeningMotion.is_allowed = false
+	Motion.file = "user://motion_in_tests.txt"
 	# The engine sleeps that long after each frame when no window is drawn.
 	OS.low_processor_usage_mode_sleep_usec = 1
 
@@ -40,14 +43,14 @@ func open_start_screen() -> void:
 	await _open((load(START_SCREEN) as PackedScene).instantiate())
 
 
-## Opens a lesson in its frame.
+## Opens a lesson in a lesson frame.
 func open_lesson(lesson: LessonInfo) -> void:
 	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	new_frame.lesson_info = lesson
 	await _open(new_frame)
 
 
-## The frame that is open now; null on the start screen.
+## The lesson frame that is open now; null on the start screen.
 func frame() -> LessonFrame:
 	return screen() as LessonFrame
 

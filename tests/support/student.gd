@@ -67,6 +67,20 @@ func release(place: Vector2, button: MouseButton = MOUSE_BUTTON_LEFT) -> void:
 	_send_button(place, button, false)
 
 
+## Releases all buttons where the window does not see it.
+func release_unseen() -> void:
+	_buttons_down = 0
+
+
+## Puts another finger down; the first one is the mouse.
+func touch_with_another_finger(place: Vector2) -> void:
+	var event := InputEventScreenTouch.new()
+	event.index = 1
+	event.position = _window_pixel(place)
+	event.pressed = true
+	_send(event)
+
+
 ## Touches with one finger and lifts it.
 func touch(place: Vector2) -> void:
 	for is_down: bool in [true, false]:

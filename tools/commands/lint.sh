@@ -11,7 +11,11 @@ files() {
 	find . \( -path ./addons/gut -o -path ./build -o -path ./.godot -o -path ./.git \) -prune -o "$@" -print0
 }
 
-check_form() { files -name '*.gd' | xargs -0 "$programs/gdformat" --check; }
+check_form() {
+	files -name '*.gd' | xargs -0 "$programs/gdformat" --check && return
+	echo "to format a file: $programs/gdformat FILE"
+	return 1
+}
 check_style() { files -name '*.gd' | xargs -0 "$programs/gdlint"; }
 check_shell() { files \( -name '*.sh' -o -path ./lab -o -path ./.ci/run \) | xargs -0 "$programs/shellcheck" -x; }
 

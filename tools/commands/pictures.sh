@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
-# Draws all lessons and keeps the pictures: docs/pictures/<id>.png, and the lesson's card.png for the start screen.
-# Usage: tools/commands/pictures.sh
+# Draws lessons, or all of them, and keeps the pictures: docs/pictures/<id>.png, and the lesson's card.png for the start
+# screen. Usage: tools/commands/pictures.sh [LESSON...]
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
 prepare_project
-# shellcheck disable=SC2046 # one word for each id
-"$LAB_ROOT/tools/draw/draw.sh" "$godot" $(lesson_ids)
-run_script draw/keep_pictures.gd
+ids=$(lesson_ids)
+for lesson in "$@"; do
+	grep -qxF -- "$lesson" <<<"$ids" || die 2 "there is no lesson '$lesson'; there are: ${ids//$'\n'/, }"
+done
+# shellcheck disable=SC2086 # one word for each id
+[ $# -gt 0 ] || set -- $ids
+"$LAB_ROOT/tools/draw/draw.sh" "$godot" "$@"
+run_script draw/keep_pictures.gd "$@"

@@ -1,7 +1,7 @@
 extends SceneTree
 ## Takes each lesson's picture from build/pictures/ into docs/pictures/, and a small one as its
 ## card.
-## Usage: godot --headless --path . -s tools/draw/keep_pictures.gd
+## Usage: godot --headless --path . -s tools/draw/keep_pictures.gd -- LESSON ...
 
 const CARD_SIZE := Vector2i(480, 364)
 ## The board, without the panel: what can be told apart on a card.
@@ -10,8 +10,8 @@ const BOARD := Rect2i(0, 56, 830, 630)
 
 func _init() -> void:
 	var failed := 0
-	for lesson: LessonInfo in LessonIndex.lessons():
-		failed += 0 if _keep(lesson) == OK else 1
+	for id: String in OS.get_cmdline_user_args():
+		failed += 0 if _keep(LessonIndex.find(id)) == OK else 1
 	quit(mini(failed, 1))
 
 

@@ -32,7 +32,6 @@ func start() -> void:
 	_let_drag(_value, _right)
 	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
 	on_enter(_model.enter)
-	(services[&"steps"] as Steps).open_at(_SUM_STEP - 1)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Remember now"))

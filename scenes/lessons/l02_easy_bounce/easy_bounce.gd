@@ -43,7 +43,6 @@ func _fill_panel() -> void:
 	_formula = EasyBounceFormula.new(services[&"formula"] as Formula)
 	on_enter(_enter)
 	_readout = EasyBounceReadout.new(services[&"readout"] as Readout)
-	(services[&"steps"] as Steps).open_at(EasyBounceTexts.Step.BOUNCE)
 	_transport.advanced.connect(_advance)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("is_wall", tr("Wall instead of floor"))

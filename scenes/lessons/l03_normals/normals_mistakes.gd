@@ -47,18 +47,21 @@ static func infos() -> Array[MistakeInfo]:
 			WRONG_NORMAL,
 			LabText.translate("signs and order"),
 			LabText.translate("(y, x) is no normal, (y, −x) the opposite."),
-			script + "test_mistake_9_the_normal_with_the_wrong_sign_or_swapped"
+			script + "test_mistake_9_the_normal_with_the_wrong_sign_or_swapped",
+			LabText.translate("The test wants the normal of (3, 1) to point along (−1, 3).")
 		),
 		MistakeInfo.new(
 			ZERO_VECTOR,
 			LabText.translate("zero vector"),
 			LabText.translate("0 / 0 is NaN. Zero must stay zero."),
-			script + "test_mistake_6_a_zero_vector_normalized_to_nan"
+			script + "test_mistake_6_a_zero_vector_normalized_to_nan",
+			LabText.translate("The test normalizes (0, 0) and wants (0, 0) back.")
 		),
 		MistakeInfo.new(
 			CUT_LENGTH,
 			LabText.translate("length cut to an integer"),
 			LabText.translate("int(0.5) is 0: short is taken for zero."),
-			script + "test_mistake_7_the_length_cut_to_a_whole_number"
+			script + "test_mistake_7_the_length_cut_to_a_whole_number",
+			LabText.translate("The test normalizes (0.3, 0.4) and wants (0.6, 0.8).")
 		),
 	]

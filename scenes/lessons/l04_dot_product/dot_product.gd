@@ -59,12 +59,15 @@ func _sweep(seconds: float) -> void:
 
 
 func _enter_number(name_in_line: String, value: float) -> void:
-	var tail := _model.a_tail if name_in_line[0] == "a" else _model.b_tail
-	var head := _model.a_head if name_in_line[0] == "a" else _model.b_head
-	if name_in_line[1] == "x":
-		head.x = tail.x + value
-	else:
-		head.y = tail.y + value
+	match name_in_line:
+		"ax":
+			_model.a_head.x = _model.a_tail.x + value
+		"ay":
+			_model.a_head.y = _model.a_tail.y + value
+		"bx":
+			_model.b_head.x = _model.b_tail.x + value
+		"by":
+			_model.b_head.y = _model.b_tail.y + value
 
 
 # What the student sees.

@@ -7,9 +7,9 @@ extends Node2D
 @onready var _b: DraggableVector = %B
 @onready var _unit: Arrow = %Unit
 @onready var _projection: Arrow = %Projection
-@onready var _rest: Arrow = %Rest
-@onready var _tail_shadow: Arrow = %TailShadow
-@onready var _head_shadow: Arrow = %HeadShadow
+@onready var _rejection: Arrow = %Rejection
+@onready var _tail_drop: Arrow = %TailDrop
+@onready var _head_drop: Arrow = %HeadDrop
 @onready var _angle: AngleArc = %Angle
 @onready var _right_angle: AngleArc = %RightAngle
 
@@ -20,13 +20,13 @@ func show_model(model: DotProductModel, step: int) -> void:
 	_b.lay(model.b_tail, model.b_head)
 	_angle.measure(model.onto_tail(), model.onto(), model.shadowed())
 	_lay_shadow(model)
-	_lay_rest(model)
+	_lay_rejection(model)
 	_unit.visible = step >= 1 and model.normalizes
-	_tail_shadow.visible = step >= 2
-	_head_shadow.visible = step >= 2
+	_tail_drop.visible = step >= 2
+	_head_drop.visible = step >= 2
 	_projection.visible = step >= 3
-	_rest.visible = step >= 4 and model.normalizes and model.rest().length() > 0.0
-	_right_angle.visible = _right_angle.visible and _rest.visible
+	_rejection.visible = step >= 4 and model.normalizes and model.rejection().length() > 0.0
+	_right_angle.visible = _right_angle.visible and _rejection.visible
 
 
 func _lay_shadow(model: DotProductModel) -> void:
@@ -39,14 +39,14 @@ func _lay_shadow(model: DotProductModel) -> void:
 	_unit.keep_label_from(head)
 	_projection.lay(tail_foot, tail_foot.plus(model.vector_projection()))
 	_projection.keep_label_from(head)
-	_tail_shadow.lay(tail, tail_foot)
-	_head_shadow.lay(head, model.foot(head))
+	_tail_drop.lay(tail, tail_foot)
+	_head_drop.lay(head, model.foot(head))
 
 
-func _lay_rest(model: DotProductModel) -> void:
+func _lay_rejection(model: DotProductModel) -> void:
 	var tail := model.shadowed_tail()
 	var corner := tail.plus(model.vector_projection())
-	_rest.label = "%s − p" % DotProductTexts.shadowed_symbol(model)
-	_rest.lay(corner, model.shadowed_head())
-	_rest.keep_label_from(tail)
-	_right_angle.measure(corner, model.onto().negated(), model.rest())
+	_rejection.label = "%s − p" % DotProductTexts.shadowed_symbol(model)
+	_rejection.lay(corner, model.shadowed_head())
+	_rejection.keep_label_from(tail)
+	_right_angle.measure(corner, model.onto().negated(), model.rejection())

@@ -3,6 +3,7 @@ extends RefCounted
 ## The formula of the lesson on the dot product: its lines, and what each name in them is.
 ##
 ## u is the vector whose shadow is looked for, w the one on which it falls, e the unit vector of w.
+## `ax` is the field in which the x of a can be typed; `u_x` only shows the x of u.
 
 # The lines that each step adds.
 const _LINES: Array[Array] = [
@@ -13,7 +14,7 @@ const _LINES: Array[Array] = [
 		"{u} · {e} = {dot} / {w_length} = {scalar}",
 	],
 	["{p} = {scalar} {e} = {p_pair}"],
-	["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
+	["{u} − {p} = {rejection}     ({u} − {p}) · {w} = {check}"],
 ]
 # The same for the usual mistake: w is not brought to length 1.
 const _WRONG_LINES: Array[Array] = [
@@ -21,7 +22,7 @@ const _WRONG_LINES: Array[Array] = [
 	["|{w}| = √({w_x}² + {w_y}²) = {w_length}"],
 	["{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"],
 	["{p} = {scalar} {w} = {p_pair}"],
-	["{u} − {p} = {rest_pair}     ({u} − {p}) · {w} = {check}"],
+	["{u} − {p} = {rejection}     ({u} − {p}) · {w} = {check}"],
 ]
 
 var _formula: Formula
@@ -67,7 +68,7 @@ func _put_shadow(model: DotProductModel) -> void:
 	_formula.put_number("w_y", model.onto().y, role_of_w)
 	_formula.put_number("w_length", model.onto().length(), role_of_w)
 	_formula.put_number("scalar", model.scalar_projection(), Palette.Role.PROJECTION)
-	_formula.put_number("check", model.rest().dot(model.onto()), Palette.Role.REST)
+	_formula.put_number("check", model.rejection().dot(model.onto()), Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
 	_formula.put_vector("p_pair", model.vector_projection(), Palette.Role.PROJECTION)
-	_formula.put_vector("rest_pair", model.rest(), Palette.Role.REST)
+	_formula.put_vector("rejection", model.rejection(), Palette.Role.REST)

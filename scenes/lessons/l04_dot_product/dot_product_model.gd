@@ -13,12 +13,12 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Zero": {a = [7, 1], a_from = [0, 0], b = [0, 0], b_from = [0, 0]},
 }
 
-## Tail and head of vector a. The lecture's numbers: the lesson starts with those in its scene.
+## Tail and head of vector a. The lesson's scene holds where both vectors lie at the start.
 var a_tail := Vec2.new()
-var a_head := Vec2.new(7.0, 1.0)
+var a_head := Vec2.new()
 ## Tail and head of vector b.
 var b_tail := Vec2.new()
-var b_head := Vec2.new(8.0, -6.0)
+var b_head := Vec2.new()
 ## False projects a on b, true b on a.
 var is_swapped := false
 ## False makes the usual mistake: the vector projected on is not brought to length 1 first.
@@ -99,8 +99,9 @@ func vector_projection() -> Vec2:
 	return onto().scaled(dot())
 
 
-## What the shadow leaves over: [method shadowed] minus [method vector_projection].
-func rest() -> Vec2:
+## What the shadow leaves over, on screen “the rest”: [method shadowed] minus
+## [method vector_projection].
+func rejection() -> Vec2:
 	return shadowed().minus(vector_projection())
 
 

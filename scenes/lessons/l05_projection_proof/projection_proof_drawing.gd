@@ -13,7 +13,7 @@ const _LARGEST_ARC := 60.0
 @onready var _turned_a: Arrow = %TurnedA
 @onready var _turned_b: Arrow = %TurnedB
 @onready var _turned_p: Arrow = %TurnedP
-@onready var _rest: Arrow = %Rest
+@onready var _rejection: Arrow = %Rejection
 @onready var _right_angle: AngleArc = %RightAngle
 @onready var _x_of_a: Arrow = %XOfA
 @onready var _y_of_a: Arrow = %YOfA
@@ -65,11 +65,11 @@ func _lay_turned(model: ProjectionProofModel) -> void:
 	_turned_b.lay(origin, b)
 	_turned_p.lay(origin, p)
 	_turned_p.keep_label_from(model.b if _p.visible else a)
-	_rest.lay(p, a)
+	_rejection.lay(p, a)
 	_right_angle.measure(p, b.negated(), a.minus(p))
 	_turned_p.visible = model.has_direction()
-	_rest.visible = model.has_direction() and a.distance_to(p) > 1e-9 * a.length()
-	_right_angle.visible = _right_angle.visible and _rest.visible
+	_rejection.visible = model.has_direction() and a.distance_to(p) > 1e-9 * a.length()
+	_right_angle.visible = _right_angle.visible and _rejection.visible
 	_head_turned_a.place(a)
 	_head_turned_b.place(b)
 

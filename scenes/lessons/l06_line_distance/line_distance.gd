@@ -31,7 +31,7 @@ func start() -> void:
 	on_enter(_model.enter)
 	on_pick(_model.take)
 	# Not during a drag: measuring would slow it down.
-	settled.connect(func() -> void: _readout.measure(_model))
+	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
 
 

@@ -12,7 +12,7 @@ extends Node2D
 @onready var _difference: Arrow = %Difference
 @onready var _normal: Arrow = %Normal
 @onready var _shadow: Arrow = %Shadow
-@onready var _rest: Arrow = %Rest
+@onready var _rejection: Arrow = %Rejection
 @onready var _right_angle: AngleArc = %RightAngle
 @onready var _gap: DimensionLine = %Gap
 @onready var _radius: DimensionLine = %Radius
@@ -61,11 +61,11 @@ func _lay_shadow(model: LineDistanceModel, step: int) -> void:
 	var normal := model.line.normal()
 	var corner := model.from().plus(normal.scaled(model.distance()))
 	_shadow.lay(model.from(), corner)
-	_rest.lay(corner, model.ball.position)
+	_rejection.lay(corner, model.ball.position)
 	var back := normal.scaled(-model.distance())
 	_right_angle.measure(corner, back, model.ball.position.minus(corner))
 	_shadow.visible = step >= 2
-	_rest.visible = step >= 2
+	_rejection.visible = step >= 2
 	_right_angle.visible = _right_angle.visible and step >= 2
 
 

@@ -19,14 +19,14 @@ var _formula: ReflectionFormula
 func start() -> void:
 	_aim(_velocity_head.at())
 	_model.along = _line_end.at()
-	_model.aim_bounciness(_leaving_head.at())
+	_model.fit_bounciness(_leaving_head.at())
 	_model.normal_length = normal_length
-	_on_drag(_velocity_head, _aim)
-	_on_drag(%Start as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
-	_on_drag(_line_end, _turn_line)
-	_on_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
-	_on_drag(%NormalHead as Handle, _drag_normal)
-	_on_drag(_leaving_head, _drag_leaving)
+	_let_drag(_velocity_head, _aim)
+	_let_drag(%ComingTail as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
+	_let_drag(_line_end, _turn_line)
+	_let_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
+	_let_drag(%NormalHead as Handle, _drag_normal)
+	_let_drag(_leaving_head, _drag_leaving)
 	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_unit_normal", tr("Normal of length 1"))
@@ -34,14 +34,14 @@ func start() -> void:
 	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
 	var kinds := ReflectionExercise.Kind.size()
 	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
-	on_enter(_enter)
+	on_enter(_model.enter)
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
 	begin(_model, _show, _spanned_points)
 
 
-func _on_drag(handle: Handle, change: Callable) -> void:
+func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
 
 
@@ -65,13 +65,7 @@ func _drag_normal(head: Vec2) -> void:
 
 func _drag_leaving(head: Vec2) -> void:
 	(services[&"steps"] as Steps).go_to(ReflectionModel.Step.BOUNCE)
-	_model.aim_bounciness(head)
-
-
-# A number that was taken may still have left a normal that reflect refuses: that is said, too.
-func _enter(name_in_line: String, value: float) -> String:
-	var problem := _model.enter(name_in_line, value)
-	return problem if problem else _model.refusal()
+	_model.fit_bounciness(head)
 
 
 func _take(changes: Dictionary) -> String:
@@ -79,7 +73,7 @@ func _take(changes: Dictionary) -> String:
 	# With C = 1 the bounciness does nothing, on whichever part it acts.
 	if changes.get("mistake") == ReflectionMistakes.BOUNCY_TANGENT and _model.bounciness == 1.0:
 		_model.bounciness = 0.5
-	return problem if problem else _model.refusal()
+	return problem
 
 
 func _fly(seconds: float) -> void:
@@ -94,7 +88,7 @@ func _fly(seconds: float) -> void:
 # What the student sees. A refusal stays in the notice line as long as it holds.
 
 
-func finish() -> void:
+func finish_edit() -> void:
 	super()
 	noticed.emit(_model.refusal())
 

@@ -120,7 +120,7 @@ func _lay_handles(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	(%LineStart as Handle).place(model.along.negated())
 	(%LineEnd as Handle).place(model.along)
 	(%NormalHead as Handle).place(model.used_normal())
-	(%Start as Handle).place(model.velocity.negated())
+	(%ComingTail as Handle).place(model.velocity.negated())
 	(%VelocityHead as Handle).place(model.velocity)
 	(%VelocityHead as Handle).visible = _velocity.visible
 	var leaving := model.velocity_after(model.times_subtracted(step))

@@ -149,11 +149,12 @@ func point_normal(direction: Vec2) -> void:
 		along = Vec2.new(unit.y, -unit.x).scaled(along.length())
 
 
-## Takes the bounciness with which the ball leaves nearest to [param head]: 0..1 in steps of 0.05.
-func aim_bounciness(head: Vec2) -> void:
+## Takes the bounciness, 0..1 in steps of 0.05, with which the ball leaves most nearly with the
+## velocity [param leaving]. A ball that moves along the line keeps the bounciness as it is.
+func fit_bounciness(leaving: Vec2) -> void:
 	var into := velocity.dot(unit_normal())
 	if into != 0.0:
-		bounciness = roundf(20.0 * clampf(-head.dot(unit_normal()) / into, 0.0, 1.0)) / 20.0
+		bounciness = roundf(20.0 * clampf(-leaving.dot(unit_normal()) / into, 0.0, 1.0)) / 20.0
 
 
 ## Takes a typed number by its name in the formula lines. "" if it could be taken; else one sentence

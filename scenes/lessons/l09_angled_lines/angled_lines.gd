@@ -27,7 +27,7 @@ func start() -> void:
 	_fill_options(%Keys as AngledLinesKeys)
 	_fill_panel()
 	_connect_player()
-	settled.connect(_settle)
+	about_to_show.connect(_settle)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.outline(_model))
 
 
@@ -46,8 +46,7 @@ func _connect_keys(keys: AngledLinesKeys) -> void:
 	on_edit(keys.gravity_pointed, _model.point_gravity)
 	on_edit(keys.bounciness_wanted, _model.take_next_bounciness)
 	on_edit(keys.preset_picked, _model.set_up)
-	keys.fetch_wanted.connect(_fetch_balls)
-	keys.step_wanted.connect(_player.step)
+	on_edit(keys.fetch_wanted, _model.fetch_balls)
 	keys.impact_wanted.connect(_timeline.go_to_impact)
 	keys.line_deleted.connect((%Lines as LineViews).delete_focused)
 	keys.trails_switched.connect(func() -> void: _show_trails(not _drawing.has_trails))
@@ -103,12 +102,7 @@ func _follow_jump(problem: String) -> void:
 	noticed.emit(problem)
 	_drawing.begin_trails(_model)
 	_show_moment()
-
-
-func _fetch_balls() -> void:
-	_model.fetch_balls()
-	_drawing.begin_trails(_model)
-	_show_moment()
+	motion_ended.emit()
 
 
 func _choose_method(_key: String, place: int) -> void:

@@ -10,8 +10,6 @@ signal bounciness_wanted
 signal preset_picked(number: int)
 ## Lost balls should be brought back.
 signal fetch_wanted
-## Time should go one frame on or back.
-signal step_wanted(is_forward: bool)
 ## Time should go to the next impact (1) or to the one before (-1).
 signal impact_wanted(direction: int)
 ## The line with the focus should be deleted.
@@ -23,8 +21,6 @@ signal trails_cleared
 
 ## The actions for the help line. Buttons on the screen name the others.
 const ACTIONS: Array[StringName] = [
-	&"lab_step",
-	&"lab_step_back",
 	&"lab_gravity_left",
 	&"lab_gravity_up",
 	&"lab_gravity_right",
@@ -51,12 +47,9 @@ const ON_BUTTONS: Array[StringName] = [
 ]
 
 ## Actions that go on while their key is held.
-const HELD: Array[StringName] = [
-	&"lab_step", &"lab_step_back", &"lab_next_impact", &"lab_previous_impact"
-]
+const HELD: Array[StringName] = [&"lab_next_impact", &"lab_previous_impact"]
 
 const _PRESET := "lab_preset_"
-const _STEPS: Dictionary[StringName, bool] = {&"lab_step": true, &"lab_step_back": false}
 const _IMPACTS: Dictionary[StringName, int] = {&"lab_next_impact": 1, &"lab_previous_impact": -1}
 const _DIRECTIONS: Dictionary[StringName, Vector2i] = {
 	&"lab_gravity_left": Vector2i.LEFT,
@@ -83,8 +76,6 @@ func act(action: StringName) -> void:
 		preset_picked.emit(action.trim_prefix(_PRESET).to_int())
 	elif action in _IMPACTS:
 		impact_wanted.emit(_IMPACTS[action])
-	elif action in _STEPS:
-		step_wanted.emit(_STEPS[action])
 	else:
 		_act_alone(action)
 

@@ -12,6 +12,7 @@ const _MARGIN := 14.0
 const _FONT_SIZE := 14
 
 var _now := 0.0
+var _is_dragged := false
 var _from := 0.0
 var _impacts: PackedFloat64Array = []
 var _rests: PackedFloat64Array = []
@@ -90,11 +91,15 @@ func _gui_input(event: InputEvent) -> void:
 	var click := event as InputEventMouseButton
 	var motion := event as InputEventMouseMotion
 	if click and click.button_index == MOUSE_BUTTON_LEFT:
+		_is_dragged = click.pressed
 		if click.pressed:
 			_want_pixel(click.position.x)
 		accept_event()
-	elif motion and motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
-		_want_pixel(motion.position.x)
+	elif motion and _is_dragged:
+		# The button may have been released where nobody saw it, as outside of the window.
+		_is_dragged = motion.button_mask & MOUSE_BUTTON_MASK_LEFT != 0
+		if _is_dragged:
+			_want_pixel(motion.position.x)
 		accept_event()
 	elif event.is_action_pressed(&"ui_left", true):
 		_want(_now - _NUDGE)
@@ -102,6 +107,11 @@ func _gui_input(event: InputEvent) -> void:
 		_want(_now + _NUDGE)
 	elif event.is_action_pressed(&"ui_home"):
 		_want(_from)
+
+
+## Ends a drag of the mark; does nothing where there is none.
+func end_drag() -> void:
+	_is_dragged = false
 
 
 # A drag stays within the seconds that are shown. Playing on or the arrow keys turn the page.

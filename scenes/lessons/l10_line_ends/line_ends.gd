@@ -19,7 +19,7 @@ func start() -> void:
 	on_drag(_drawing.line_moved, _drawing.line_released, _model.set_line)
 	_transport.advanced.connect(_advance)
 	_fill_panel()
-	settled.connect(func() -> void: _drawing.fit(_model))
+	about_to_show.connect(func() -> void: _drawing.fit(_model))
 	begin(_model, _show)
 
 

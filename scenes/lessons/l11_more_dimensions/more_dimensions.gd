@@ -38,7 +38,7 @@ func start() -> void:
 	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
 	on_enter(_model.enter)
 	on_pick(_model.take)
-	settled.connect(_fit)
+	about_to_show.connect(_fit)
 	begin(_model, _show)
 
 

@@ -1,8 +1,8 @@
 extends Lesson
 ## The smallest complete lesson: a vector that can be dragged or typed, and its length.
 ##
-## Copy this folder to begin a lesson of your own; docs/lessons.md says how to go on. Undo, reset
-## and links need no line here, because the model can be stored.
+## `./lab new_lesson` begins a lesson of your own as a copy of this one.
+## Undo, reset and links need no line here, because the model can be stored.
 
 var _model := LengthModel.new()
 

@@ -163,15 +163,27 @@ func _pass_focus_on() -> void:
 
 func _gui_input(event: InputEvent) -> void:
 	var click := event as InputEventMouseButton
+	var motion := event as InputEventMouseMotion
 	if click and click.pressed and click.button_index in [MOUSE_BUTTON_LEFT, MOUSE_BUTTON_RIGHT]:
+		end_drag()
 		_pressed_button = click.button_index
 		pointed.emit(to_plane(click.position), _pressed_button)
 		accept_event()
 	elif click and click.button_index == _pressed_button:
+		end_drag()
+	elif motion and _pressed_button != MOUSE_BUTTON_NONE:
+		# The button may have been released where nobody saw it, as outside of the window.
+		if motion.button_mask & (1 << (_pressed_button - 1)):
+			pointed.emit(to_plane(motion.position), _pressed_button)
+		else:
+			end_drag()
+
+
+## Ends a click or drag on the empty board; does nothing where there is none.
+func end_drag() -> void:
+	if _pressed_button != MOUSE_BUTTON_NONE:
 		_pressed_button = MOUSE_BUTTON_NONE
 		released.emit()
-	elif event is InputEventMouseMotion and _pressed_button != MOUSE_BUTTON_NONE:
-		pointed.emit(to_plane((event as InputEventMouseMotion).position), _pressed_button)
 
 
 # The smallest 1, 2 or 5 times 10^n that is not below `least`.

@@ -118,25 +118,33 @@ func _draw() -> void:
 
 func _gui_input(event: InputEvent) -> void:
 	var click := event as InputEventMouseButton
+	var motion := event as InputEventMouseMotion
 	if click and click.button_index == MOUSE_BUTTON_LEFT:
-		_press(click)
+		end_drag()
+		if click.pressed:
+			_grip = _point.minus(_plane_point(click.position))
+			_is_dragged = true
 		accept_event()
-	elif event is InputEventMouseMotion and _is_dragged:
-		_drag_to(event as InputEventMouseMotion)
+	elif motion and _is_dragged:
+		_drag_to(motion)
 		accept_event()
 	else:
 		_nudge(event)
 
 
-func _press(click: InputEventMouseButton) -> void:
-	if click.pressed:
-		_grip = _point.minus(_plane_point(click.position))
-	elif _is_dragged:
+## Lets go of the handle where it is; does nothing where it is not dragged.
+func end_drag() -> void:
+	if _is_dragged:
+		_is_dragged = false
+		queue_redraw()
 		released.emit()
-	_is_dragged = click.pressed
 
 
 func _drag_to(motion: InputEventMouseMotion) -> void:
+	# The button was released where nobody saw it, as outside of the window.
+	if not motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
+		end_drag()
+		return
 	var wanted := _plane_point(motion.position).plus(_grip)
 	moved.emit(wanted if motion.shift_pressed else _board.snapped_to_step(wanted))
 

@@ -30,6 +30,7 @@ const _FONT_SIZE := 15
 var _function := Callable()
 var _y_reach := 1.0
 var _x := 0.0
+var _is_dragged := false
 
 
 func _ready() -> void:
@@ -92,14 +93,25 @@ func _gui_input(event: InputEvent) -> void:
 	var click := event as InputEventMouseButton
 	var motion := event as InputEventMouseMotion
 	if click and click.button_index == MOUSE_BUTTON_LEFT:
+		end_drag()
 		if click.pressed:
+			_is_dragged = true
 			x_pointed.emit(_x_at(click.position.x))
+		accept_event()
+	elif motion and _is_dragged:
+		# The button may have been released where nobody saw it, as outside of the window.
+		if motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
+			x_pointed.emit(_x_at(motion.position.x))
 		else:
-			released.emit()
+			end_drag()
 		accept_event()
-	elif motion and motion.button_mask & MOUSE_BUTTON_MASK_LEFT:
-		x_pointed.emit(_x_at(motion.position.x))
-		accept_event()
+
+
+## Ends a click or drag on the graph; does nothing where there is none.
+func end_drag() -> void:
+	if _is_dragged:
+		_is_dragged = false
+		released.emit()
 
 
 func _value_at(x: float) -> float:

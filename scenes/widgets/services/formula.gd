@@ -17,6 +17,12 @@ const _NAME := "\\{(\\w+)\\}"
 # Between two statements in a line there is a wide gap.
 const _GAP := "\\s{3,}"
 
+## Shows `?` in place of each number that cannot be typed over.
+var hides_numbers := false:
+	set(value):
+		hides_numbers = value
+		show_lines(_shown)
+
 var _roles: Dictionary[String, Palette.Role] = {}
 var _symbols: Dictionary[String, String] = {}
 var _titles: Dictionary[String, String] = {}
@@ -157,6 +163,7 @@ func _new_label(text: String) -> Label:
 	var label := Label.new()
 	label.theme_type_variation = &"LabelMath"
 	label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+	label.text_direction = Control.TEXT_DIRECTION_LTR
 	label.text = text
 	return label
 
@@ -182,6 +189,6 @@ func _fill(statement: int) -> void:
 		if part is NumberField:
 			(part as NumberField).show_number(_numbers[name_in_line].components[0], texts[i])
 		elif _numbers.has(name_in_line):
-			(part as Label).text = texts[i]
+			(part as Label).text = "?" if hides_numbers else texts[i]
 		elif _texts.has(name_in_line):
 			(part as Label).text = _texts[name_in_line]

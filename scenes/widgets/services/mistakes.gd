@@ -39,7 +39,7 @@ func _show_mistake(number: int) -> void:
 	for i in _mistakes.size():
 		if _mistakes[i].number == number:
 			_list.select(i + 1)
-			_sentence.text = _mistakes[i].sentence + "\n" + tr("Caught by %s.") % _mistakes[i].test
+			_sentence.text = "\n".join([_mistakes[i].sentence, _mistakes[i].checks]).strip_edges()
 	_sentence.visible = _sentence.text != ""
 
 

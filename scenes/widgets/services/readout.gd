@@ -50,10 +50,13 @@ func show_texts(key: String, texts: PackedStringArray) -> void:
 
 
 func _add_row(texts: PackedStringArray, variation: StringName = &"") -> void:
-	for text in texts:
+	for column in texts.size():
 		var label := Label.new()
-		label.text = text
+		label.text = texts[column]
+		if column > 0 and not variation:
+			label.add_to_group(&"answers")
 		label.theme_type_variation = variation
 		label.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+		label.text_direction = Control.TEXT_DIRECTION_LTR
 		label.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		add_child(label)

@@ -1,6 +1,7 @@
 class_name Steps
 extends HBoxContainer
-## Builds up a drawing from nothing: one sentence for each step, forward and back.
+## Builds up a drawing from nothing: one sentence for each step, forward and back. Before a step it
+## can ask what the student expects.
 
 ## The student went to another step: the board and the formula have more or less to show.
 signal view_changed
@@ -8,48 +9,152 @@ signal view_changed
 signal step_changed(step: int)
 
 ## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [&"lab_step_back", &"lab_step"]
+const ACTIONS: Array[StringName] = [&"lab_previous_step", &"lab_next_step"]
 
-## The step that is shown, counted from 0. The last one at first, unless [method open_at] names
-## another.
+## The step that is shown, counted from 0: the first one at the start.
 var step: int:
 	get:
 		return _step
 
 var _sentences: PackedStringArray = []
 var _step := 0
-# Whether it is known which step is shown.
-var _is_open := false
+# What is asked, by the step that comes after it.
+var _questions: Dictionary[int, Prediction] = {}
+# What is asked now, or was answered last: null for nothing.
+var _prediction: Prediction
+var _is_asking := false
+# The place of the choice that the student has made; -1 for none.
+var _chosen := -1
 
 @onready var _count: Label = %Count
+@onready var _answer: Label = %Answer
 @onready var _sentence: Label = %Sentence
+@onready var _choices: HFlowContainer = %Choices
 @onready var _back: Button = %Back
 @onready var _forward: Button = %Forward
 
 
+## What the student is asked to predict before a step.
+class Prediction:
+	## What is asked, translated.
+	var prompt: String
+	## Asks; returns false where there is nothing to ask.
+	var ask: Callable
+	## Returns one translated sentence on what was predicted; "" where nothing was.
+	var judge: Callable
+	## Takes away what the student predicts with.
+	var end: Callable
+	## It is asked only once.
+	var was_asked := false
+
+
 func _ready() -> void:
-	_back.pressed.connect(func() -> void: go_to(_step - 1))
-	_forward.pressed.connect(func() -> void: go_to(_step + 1))
-
-
-## Opens at the step [param first], counted from 0; before the first [method tell].
-func open_at(first: int) -> void:
-	_step = first
-	_is_open = true
+	_back.pressed.connect(go_back)
+	_forward.pressed.connect(go_forward)
 
 
 ## Shows these translated sentences, one for each step; the step that is shown stays. Call it before
 ## the first use of [member step]: it says which step is the last.
 func tell(sentences: PackedStringArray) -> void:
-	var last := sentences.size() - 1
 	_sentences = sentences
-	_step = clampi(_step, 0, last) if _is_open else last
-	_is_open = true
+	_step = clampi(_step, 0, sentences.size() - 1)
 	_refresh()
 
 
-## Goes to a step, counted from 0; stays inside the first and the last.
+## Goes to a step, counted from 0; stays inside the first and the last. Asks nothing.
 func go_to(at: int) -> void:
+	_end_prediction()
+	_show_step(at)
+
+
+## Goes to the next step, or asks first what is to be asked before it.
+func go_forward() -> void:
+	if _is_asking:
+		_answer.text = _prediction.judge.call()
+		_is_asking = false
+		if not _answer.text:
+			_end_prediction()
+		_show_step(_step + 1)
+	elif not _asks_before(_step + 1):
+		go_to(_step + 1)
+
+
+## Goes to the previous step, or takes back what is asked.
+func go_back() -> void:
+	if _is_asking:
+		_end_prediction()
+	else:
+		go_to(_step - 1)
+
+
+## When the student goes to the step [param before] for the first time, asks [param prompt],
+## translated, instead; the step is shown when the student goes on. What the three callables do is
+## in [Prediction]. For a point on the board and for a choice, use [Lesson].
+func ask_before(
+	before: int, prompt: String, ask: Callable, judge: Callable, end: Callable
+) -> void:
+	var prediction := Prediction.new()
+	prediction.prompt = prompt
+	prediction.ask = ask
+	prediction.judge = judge
+	prediction.end = end
+	_questions[before] = prediction
+
+
+## The same with a button below the sentence for each of the translated [param choices].
+## [param right] returns the place of the right one, below 0 where there is nothing to ask.
+func ask_choice_before(
+	before: int, prompt: String, choices: PackedStringArray, right: Callable
+) -> void:
+	var ask := _offer.bind(choices, right)
+	ask_before(before, prompt, ask, _judge_choice.bind(choices, right), _clear_choices)
+
+
+## The student goes on: what was said about the last prediction no longer counts.
+func end_answer() -> void:
+	if not _is_asking:
+		_end_prediction()
+
+
+## Asks everything once more.
+func ask_again() -> void:
+	_end_prediction()
+	for prediction: Prediction in _questions.values():
+		prediction.was_asked = false
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"lab_next_step", true, true):
+		go_forward()
+	elif event.is_action_pressed(&"lab_previous_step", true, true):
+		go_back()
+
+
+func _asks_before(next: int) -> bool:
+	var wanted: Prediction = _questions.get(next)
+	if not wanted or wanted.was_asked:
+		return false
+	_end_prediction()
+	if not wanted.ask.call():
+		return false
+	wanted.was_asked = true
+	_prediction = wanted
+	_is_asking = true
+	_refresh()
+	return true
+
+
+func _end_prediction() -> void:
+	if not _prediction:
+		return
+	_prediction.end.call()
+	_prediction = null
+	_is_asking = false
+	_answer.text = ""
+	_refresh()
+
+
+func _show_step(at: int) -> void:
 	if _sentences.is_empty():
 		return
 	var wanted := clampi(at, 0, _sentences.size() - 1)
@@ -60,15 +165,40 @@ func go_to(at: int) -> void:
 		view_changed.emit()
 
 
-func _unhandled_input(event: InputEvent) -> void:
-	if event.is_action_pressed(&"lab_step", true, true):
-		go_to(_step + 1)
-	elif event.is_action_pressed(&"lab_step_back", true, true):
-		go_to(_step - 1)
+func _offer(choices: PackedStringArray, right: Callable) -> bool:
+	if right.call() < 0:
+		return false
+	_chosen = -1
+	for i in choices.size():
+		var button := Button.new()
+		button.text = choices[i]
+		button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
+		button.theme_type_variation = &"ButtonSmall"
+		button.pressed.connect(_choose.bind(i))
+		_choices.add_child(button)
+	return true
+
+
+func _choose(place: int) -> void:
+	_chosen = place
+	go_forward()
+
+
+func _judge_choice(choices: PackedStringArray, right: Callable) -> String:
+	_clear_choices()
+	var wanted: int = right.call()
+	if _chosen < 0 or wanted < 0:
+		return ""
+	return (tr("Right: %s") if _chosen == wanted else tr("No: it is %s")) % choices[wanted]
+
+
+func _clear_choices() -> void:
+	for button in _choices.get_children():
+		button.queue_free()
 
 
 func _refresh() -> void:
 	_count.text = tr("Step %d of %d") % [_step + 1, _sentences.size()]
-	_sentence.text = _sentences[_step]
-	_back.disabled = _step == 0
+	_sentence.text = _prediction.prompt if _is_asking else _sentences[_step]
+	_back.disabled = _step == 0 and not _is_asking
 	_forward.disabled = _step == _sentences.size() - 1

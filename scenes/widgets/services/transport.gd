@@ -1,16 +1,22 @@
 class_name Transport
 extends HBoxContainer
-## Play, pause, one step, slow: drives what moves in a lesson. Starts paused.
+## Play, pause, one frame on or back, slow: drives what moves in a lesson. Starts paused.
 
 ## Time has passed in the lesson: this many seconds, negative for a step back.
 signal advanced(seconds: float)
+## Time stands still after it has run, or after a single step.
+signal halted
 
 ## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [&"lab_pause", &"lab_slow"]
+const ACTIONS: Array[StringName] = [
+	&"lab_pause", &"lab_slow", &"lab_next_frame", &"lab_previous_frame"
+]
 ## A single step lasts a sixtieth of a second, as a frame of the course does.
 const STEP_SECONDS := 1.0 / 60.0
 ## Slow motion runs at this share of real time.
 const SLOW_SHARE := 0.2
+
+const _PAUSE := preload("res://assets/icons/pause.svg")
 
 ## Time runs by itself.
 var is_playing: bool:
@@ -21,12 +27,13 @@ var is_playing: bool:
 
 @onready var _play: Button = %Play
 @onready var _slow: Button = %Slow
+@onready var _play_sign := _play.icon
 
 
 func _ready() -> void:
 	(%StepBack as Button).pressed.connect(_step.bind(-STEP_SECONDS))
 	(%Step as Button).pressed.connect(_step.bind(STEP_SECONDS))
-	_play.toggled.connect(set_process)
+	_play.toggled.connect(_run)
 	set_process(false)
 
 
@@ -39,8 +46,20 @@ func _unhandled_input(event: InputEvent) -> void:
 		_play.button_pressed = not _play.button_pressed
 	elif event.is_action_pressed(&"lab_slow"):
 		_slow.button_pressed = not _slow.button_pressed
+	elif event.is_action_pressed(&"lab_next_frame", true, true):
+		_step(STEP_SECONDS)
+	elif event.is_action_pressed(&"lab_previous_frame", true, true):
+		_step(-STEP_SECONDS)
+
+
+func _run(is_playing_now: bool) -> void:
+	set_process(is_playing_now)
+	_play.icon = _PAUSE if is_playing_now else _play_sign
+	if not is_playing_now:
+		halted.emit()
 
 
 func _step(seconds: float) -> void:
 	_play.button_pressed = false
 	advanced.emit(seconds)
+	halted.emit()

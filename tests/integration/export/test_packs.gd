@@ -52,7 +52,7 @@ func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
 
 func test_a_pack_holds_the_input_actions_of_its_scripts_only() -> void:
 	for demo: String in _DEMOS:
-		assert_has(_actions_in(demo), &"lab_step", demo)
+		assert_has(_actions_in(demo), &"lab_copy_link", demo)
 	assert_has(_actions_in("angled_lines"), &"lab_gravity_left")
 	assert_does_not_have(_actions_in("dot_product"), &"lab_gravity_left")
 

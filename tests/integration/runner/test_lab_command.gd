@@ -12,7 +12,17 @@ func test_without_a_command_it_lists_the_commands() -> void:
 	var lab := LabCommand.run("res://", [])
 	assert_eq(lab.exit_code, 0)
 	for command: String in [
-		"run", "test", "lint", "report", "stability", "bench", "needs", "pictures", "setup", "help"
+		"run",
+		"new_lesson",
+		"test",
+		"lint",
+		"report",
+		"stability",
+		"bench",
+		"needs",
+		"pictures",
+		"setup",
+		"help"
 	]:
 		assert_string_contains(lab.output, "\n  %s " % command)
 
@@ -29,10 +39,20 @@ func test_an_unknown_command_is_refused_with_the_list() -> void:
 
 
 func test_an_unknown_lesson_is_refused_with_the_ids() -> void:
-	var lab := LabCommand.run("res://", ["run", "not_there"])
-	assert_eq(lab.exit_code, 2)
-	assert_string_contains(lab.last_line(), "'not_there'; there are: ")
-	assert_string_contains(lab.last_line(), ", ".join(LessonIndex.ids()))
+	for command: String in ["run", "pictures"]:
+		var lab := LabCommand.run("res://", [command, "not_there"])
+		assert_eq(lab.exit_code, 2)
+		assert_string_contains(lab.last_line(), "'not_there'; there are: ")
+		assert_string_contains(lab.last_line(), ", ".join(LessonIndex.ids()))
+
+
+func test_an_id_that_no_new_lesson_can_have_is_refused() -> void:
+	var without_id := LabCommand.run("res://", ["new_lesson"])
+	assert_eq(without_id.exit_code, 2)
+	assert_string_contains(without_id.last_line(), "usage: ./lab new_lesson ID")
+	var taken := LabCommand.run("res://", ["new_lesson", "dot_product"])
+	assert_eq(taken.exit_code, 2)
+	assert_string_contains(taken.last_line(), "there is a lesson 'dot_product' already")
 
 
 func test_an_unknown_platform_is_refused_with_those_there_are() -> void:

@@ -21,11 +21,11 @@ const _REFUSED: Dictionary[String, String] = {
 	"share=half": "“half” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"share=nan": "“nan” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"share=1e999": "“1e999” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
-	"share=1,2": "“1,2” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
+	"share=1,2,3": "“1,2,3” in share must be a number: 0, or from 1e-100 to 1e100 in size.",
 	"place=1": "place must have 2 numbers, not 1: “1”.",
 	"place=1,2,3": "place must have 2 numbers, not 3: “1,2,3”.",
 	"lines=1,2,3,4;5": "lines must have 4 numbers, not 1: “5”.",
-	"place=1,%s" % "9999999999999999999999999999999999":
+	"place=1,%s" % "999999999999999999999999999999x999":
 	"“999999999999999999999999999999…” in place must be a number: 0, or from 1e-100 to 1e100 in size.",
 }
 
@@ -53,6 +53,37 @@ func test_every_kind_of_value_comes_back() -> void:
 	assert_eq(link.problem, "")
 	assert_eq(link.state, state)
 	assert_eq(LessonLink.text_of(link.state, _base()), text)
+
+
+func test_numbers_are_read_as_people_write_them() -> void:
+	var link := LessonLink.read("count=+4&share=0,25&place=−1, +2.5", _base())
+	assert_eq(link.problem, "")
+	assert_eq(LessonLink.text_of(link.state, _base()), "count=4&share=0.25&place=-1,2.5")
+	link = LessonLink.read("count=−4", _base())
+	assert_eq(LessonLink.text_of(link.state, _base()), "count=-4")
+
+
+func test_what_only_tracks_the_reader_is_passed_over() -> void:
+	for tracker: String in [
+		"fbclid=IwAR0x_-y",
+		"gclid=1",
+		"msclkid=1",
+		"utm_source=mail",
+		"utm_medium",
+		"igshid=1",
+		"mc_cid=1&mc_eid=2",
+		"_hsenc=1",
+		"ref=share",
+	]:
+		var link := LessonLink.read("count=4&%s&share=0.25" % tracker, _base())
+		assert_eq(link.problem, "", tracker)
+		assert_eq(LessonLink.text_of(link.state, _base()), "count=4&share=0.25", tracker)
+
+
+func test_a_misspelt_name_is_no_tracker() -> void:
+	for name: String in ["cuont", "utm", "clip", "shares"]:
+		var sentence := "There is no value “%s” here." % name
+		assert_string_starts_with(LessonLink.read(name + "=1", _base()).problem, sentence)
 
 
 func test_an_array_may_be_empty() -> void:

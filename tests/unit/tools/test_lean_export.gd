@@ -4,6 +4,8 @@ extends LabTest
 const Demos := preload("res://tools/export/demos.gd")
 const LeanExport := preload("res://tools/export/lean_export.gd")
 
+const _SCENE_WITH_ICONS := "res://scenes/widgets/services/steps.tscn"
+const _SAVED := "user://lean.scn"
 const _KEPT: PackedStringArray = ["res://kept.gd"]
 
 
@@ -13,10 +15,17 @@ func test_of_the_classes_those_of_exported_files_stay() -> void:
 	var gone := kept.merged({"class": &"Gone", "path": "res://gone.gd"}, true)
 	var with_icon := kept.merged({"icon": ""})
 	var list := "list=" + var_to_str([with_icon, gone])
-	var lean := ConfigFile.new()
-	lean.parse(LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8())
-	var entries: Array = lean.get_value("", "list")
-	assert_eq(entries, [kept])
+	var lean := LeanExport.classes_of(_KEPT, list.to_utf8_buffer()).get_string_from_utf8()
+	var entry := '"base":"Node","class":"Kept","is_abstract":0,"is_tool":1,"language":"GDScript"'
+	assert_eq(lean, 'list=[{%s,"path":"res://kept.gd"}]\n' % entry)
+
+
+func test_a_class_that_only_scenes_or_its_own_script_name_is_not_listed() -> void:
+	var frame := "res://scenes/shell/lesson_frame.gd"
+	var listed := LeanExport.named_as_classes([frame, "res://scripts/vec2.gd"])
+	assert_has(listed, "res://scenes/shell/input_help.gd")
+	assert_does_not_have(listed, frame)
+	assert_does_not_have(listed, "res://scripts/vec2.gd")
 
 
 func test_of_the_ids_those_of_exported_files_stay() -> void:
@@ -37,11 +46,25 @@ func test_the_lists_of_this_project_are_read_as_the_engine_writes_them() -> void
 	assert_eq(ResourceUID.get_id_path(id), "res://scripts/vec2.gd")
 
 
+func test_a_scene_takes_in_its_icons_but_not_its_script() -> void:
+	var mode := ResourceLoader.CACHE_MODE_IGNORE
+	var scene: PackedScene = ResourceLoader.load(_SCENE_WITH_ICONS, "", mode)
+	LeanExport.take_in_icons(scene)
+	ResourceSaver.save(scene, _SAVED)
+	var named := ",".join(ResourceLoader.get_dependencies(_SAVED))
+	assert_string_contains(named, "steps.gd")
+	assert_false(named.contains(".svg"), named)
+	var saved: PackedScene = ResourceLoader.load(_SAVED, "", mode)
+	DirAccess.remove_absolute(_SAVED)
+	var steps: Node = autofree(saved.instantiate())
+	assert_true((steps.get_node("Back") as Button).icon is DPITexture)
+
+
 func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused() -> void:
 	var unused := LeanExport.unused_settings(
 		["res://scenes/shell/input_help.gd", "res://scenes/widgets/services/steps.gd"]
 	)
-	assert_does_not_have(unused, "input/lab_step")
+	assert_does_not_have(unused, "input/lab_next_step")
 	assert_has(unused, "input/lab_pause")
 	assert_does_not_have(unused, "input/ui_accept")
 

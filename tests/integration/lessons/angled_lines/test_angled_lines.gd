@@ -150,10 +150,10 @@ func test_b_goes_through_the_bouncinesses_and_c_can_be_typed() -> void:
 func test_s_steps_and_shift_s_steps_back_to_the_same_bits() -> void:
 	var first := _world().state()
 	for i: int in 5:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	assert_eq(_world().frames, 5)
 	for i: int in 5:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_frame")
 	assert_eq(_world().state(), first)
 
 
@@ -185,7 +185,7 @@ func test_every_digit_puts_up_its_preset() -> void:
 func test_reset_goes_back_to_the_start_of_the_preset_picked() -> void:
 	await student.press(&"lab_preset_6")
 	var first := _world().state()
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_frame")
 	await drag(Vec2.new(-180, 80), Vec2.new(-120, 100))
 	await student.press(&"lab_reset")
 	assert_eq(_world().state(), first)
@@ -195,9 +195,9 @@ func test_reset_goes_back_to_the_start_of_the_preset_picked() -> void:
 func test_d_hides_trails_and_c_clears_them() -> void:
 	var trails := frame().lesson.get_node("%Trails") as BallTrails
 	for i: int in 3:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	assert_eq(trails.places_of(0).size(), 4)
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_frame")
 	assert_eq(trails.places_of(0).size(), 3)
 	await student.press(&"lab_clear_trails")
 	assert_eq(trails.places_of(0).size(), 1)
@@ -211,13 +211,13 @@ func test_trails_of_many_balls_end_at_the_balls_forward_and_back() -> void:
 	var past: Array[PackedVector2Array] = []
 	for i: int in 12:
 		past.append(_all_places(trails))
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 		_assert_trails_end_at_the_balls(trails)
 	# A stroke for two frames, and one more at a bounce.
 	var strokes := _all_places(trails).size() - past[0].size()
 	assert_between(strokes, 6 * 50, 6 * 50 + 2 * _world().bounces)
 	for i: int in 12:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_frame")
 		assert_true(_all_places(trails) == past[11 - i], "trails %d steps back" % (i + 1))
 
 
@@ -225,7 +225,7 @@ func test_a_lost_ball_is_counted_and_fetched() -> void:
 	await student.press(&"lab_preset_5")
 	_choose_method(SteppingMethods.Method.POSITION_RESET)
 	for i: int in 20:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	assert_reads("lost 1")
 	await student.press(&"lab_fetch_balls")
 	assert_eq(_world().lost_count(), 0)
@@ -273,7 +273,7 @@ func test_a_question_can_be_answered_and_shown_on_the_board() -> void:
 
 
 func test_help_names_the_keys_of_the_course() -> void:
-	for text: String in ["S step", "←↑→↓ gravity", "0…9 scene"]:
+	for text: String in ["S next frame", "←↑→↓ gravity", "0…9 scene"]:
 		assert_reads(text.replace(" ", "\u00a0"))
 
 

@@ -71,7 +71,7 @@ func test_without_a_timeline_the_keys_of_impacts_do_nothing() -> void:
 func test_frames_and_scrubbing_lead_to_the_same_place() -> void:
 	await _choose_event_world()
 	for i: int in 6:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	var there := _model().ball().position.copy()
 	_bar().grab_focus()
 	await student.press(&"ui_right")
@@ -100,7 +100,7 @@ func test_godots_body_exists_only_while_it_is_switched_on() -> void:
 	assert_eq(_bodies(), 0)
 	await click_button("Godot")
 	assert_gt(_bodies(), 0)
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_frame")
 	assert_true(_engine().is_on())
 	await click_button("Godot")
 	assert_eq(_bodies(), 0)
@@ -110,7 +110,7 @@ func test_godots_body_starts_where_the_ball_is_and_parts_from_it() -> void:
 	await click_button("Godot")
 	assert_almost_eq(_gap(), 0.0, 1e-4)
 	for i: int in 120:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	assert_gt(_gap(), 1.0)
 
 
@@ -119,7 +119,7 @@ func test_the_name_of_godots_body_and_where_it_parted_never_lie_on_one_another()
 	await click_button("Godot")
 	var closest := INF
 	for i: int in 125:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 		if _gap() > 1.0:
 			var way := (_engine().parting_place() - _engine().label_place()).abs()
 			closest = minf(closest, way.y if way.x < 150.0 else INF)
@@ -129,7 +129,7 @@ func test_the_name_of_godots_body_and_where_it_parted_never_lie_on_one_another()
 func test_godots_body_starts_anew_when_the_shot_changes() -> void:
 	await click_button("Godot")
 	for i: int in 60:
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_frame")
 	assert_gt(_gap(), 0.0)
 	await student.press(&"lab_preset_6")
 	assert_almost_eq(_gap(), 0.0, 1e-4)

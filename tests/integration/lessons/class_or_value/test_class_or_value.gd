@@ -48,14 +48,14 @@ func test_with_copy_the_old_vec2_stays_behind() -> void:
 
 
 func test_the_steps_begin_without_a_second_name_and_end_with_both_sums() -> void:
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_reads("1.3e−6")
 	assert_reads("958")
 	for step: int in 3:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_false(_arrow("%Old").visible)
 	assert_does_not_read("old = ")
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_true(_arrow("%Old").visible)
 
 

@@ -13,7 +13,7 @@ func test_without_normalizing_the_answer_is_ten_times_too_big_and_says_so() -> v
 
 func test_without_normalizing_no_unit_vector_and_no_right_angle_are_shown() -> void:
 	await click_button("Normalize")
-	for part: String in ["%Unit", "%Rest", "%RightAngle"]:
+	for part: String in ["%Unit", "%Rejection", "%RightAngle"]:
 		assert_false((frame().lesson.get_node(part) as CanvasItem).visible, part)
 
 
@@ -32,10 +32,10 @@ func test_swapped_the_lesson_projects_b_on_a() -> void:
 
 
 func test_swapped_the_rest_is_labelled_b_minus_p() -> void:
-	var rest := frame().lesson.get_node("%Rest") as Arrow
-	assert_eq(rest.label, "a − p")
+	var rejection := frame().lesson.get_node("%Rejection") as Arrow
+	assert_eq(rejection.label, "a − p")
 	await click_button("b on a")
-	assert_eq(rest.label, "b − p")
+	assert_eq(rejection.label, "b − p")
 
 
 func test_every_preset_sets_both_vectors_up() -> void:

@@ -50,14 +50,14 @@ func test_an_answer_that_stems_from_no_known_mistake_is_just_not_right() -> void
 
 func test_nonsense_is_refused_and_may_be_typed_over() -> void:
 	await student.enter(_fields()[0], "seven")
-	assert_reads("“seven” is not a number: type one like 7, -2.5 or 3e8.")
+	assert_reads("“seven” cannot be taken: type 0 or a number")
 	assert_eq(_fields()[0].text, "seven")
 	assert_true(Screen.button(screen(), "Show on board").disabled)
 
 
 func test_nothing_typed_is_refused_too() -> void:
 	await click_button("Check")
-	assert_reads("“” is not a number")
+	assert_reads("“” cannot be taken")
 
 
 func test_new_numbers_ask_another_question_and_clear_the_answer() -> void:

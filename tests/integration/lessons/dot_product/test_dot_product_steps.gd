@@ -5,9 +5,9 @@ extends DotProductTest
 const _ARROWS: Array[Array] = [
 	[],
 	["Unit"],
-	["TailShadow", "HeadShadow", "Unit"],
-	["TailShadow", "HeadShadow", "Projection", "Unit"],
-	["TailShadow", "HeadShadow", "Rest", "Projection", "Unit"],
+	["TailDrop", "HeadDrop", "Unit"],
+	["TailDrop", "HeadDrop", "Projection", "Unit"],
+	["TailDrop", "HeadDrop", "Rejection", "Projection", "Unit"],
 ]
 const _LINES: Array[int] = [1, 3, 5, 6, 7]
 const _WORDS: Array[String] = [
@@ -27,7 +27,7 @@ func test_each_step_shows_its_sentence_its_arrows_and_its_lines() -> void:
 		assert_reads(_WORDS[step])
 		assert_eq(_visible_arrows(), _ARROWS[step], "step %d" % (step + 1))
 		assert_eq(formula_lines().size(), _LINES[step], "step %d" % (step + 1))
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_step")
 
 
 func test_the_lines_of_the_last_step_hold_the_numbers_of_the_lecture() -> void:
@@ -55,11 +55,11 @@ func test_the_right_angle_is_marked_with_the_rest() -> void:
 
 
 func test_the_keys_step_forward_and_back_and_stop_at_both_ends() -> void:
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_reads("Step 5 of 5")
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_reads("Step 4 of 5")
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_reads("Step 5 of 5")
 
 
@@ -79,7 +79,7 @@ func test_the_buttons_step_and_are_off_at_the_ends() -> void:
 
 
 func test_a_step_is_kept_when_a_vector_is_dragged() -> void:
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	await drag(Vec2.new(7, 1), Vec2.new(3, -4))
 	assert_reads("Step 4 of 5")
 	assert_eq(_visible_arrows(), _ARROWS[3])
@@ -87,7 +87,7 @@ func test_a_step_is_kept_when_a_vector_is_dragged() -> void:
 
 func _go_to_first() -> void:
 	for step: int in 4:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 
 
 func _visible_arrows() -> Array:

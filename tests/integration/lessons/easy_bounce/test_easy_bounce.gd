@@ -26,19 +26,19 @@ func test_the_steps_show_one_thing_at_a_time() -> void:
 	]
 	for row: Array in wanted:
 		assert_eq(Array(seen(_PARTS_OF_STEPS)), row)
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 
 
 func test_on_a_tilted_line_the_easy_way_is_drawn_beside_the_right_one() -> void:
 	await click_button("30°")
 	assert_eq(seen(["%EasyPath", "%EasyBall"]), [true, true] as Array[bool])
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_eq(seen(["%EasyArrow", "%RightArrow"]), [true, true] as Array[bool])
 	assert_reads("52 px per frame off")
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_reads("Put back 14.4 px off")
 	assert_reads("and still 8.04 px deep")
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_eq(seen(["%Straight", "%Shortest"]), [true, true] as Array[bool])
 	assert_reads("4.82 px too far")
 

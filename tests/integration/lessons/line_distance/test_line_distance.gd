@@ -123,22 +123,22 @@ func test_undo_redo_and_reset() -> void:
 func test_steps_build_the_formula_up_and_back() -> void:
 	assert_eq(formula_lines().size(), 7)
 	for left: int in [6, 5, 4, 3]:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 		assert_eq(formula_lines().size(), left)
 	assert_reads("d leads from a point p of the line")
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(formula_lines().size(), 4)
 
 
 func test_steps_build_the_drawing_up() -> void:
 	for i: int in 4:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, false, false, false])
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, false, false])
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, true, false])
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, true, true])
 
 

@@ -108,18 +108,18 @@ func test_the_steps_bring_one_kind_of_line_after_the_other() -> void:
 	var counts: Array[int] = []
 	for step: int in 7:
 		counts.push_front(_visible_fields())
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_eq(counts, [1, 2, 4, 5, 5, 5, 5] as Array[int])
 
 
 func test_the_graph_and_the_roots_come_with_their_steps() -> void:
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_true(_part("Second").visible)
 	assert_has(_formula_lines(), "t₁ = (−b − √D) / 2a = (436 − 144) / 584 = 0.5")
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_false(_part("First").visible)
 	assert_true((frame().lesson.find_child("Graph") as Control).visible)
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_false((frame().lesson.find_child("Graph") as Control).visible)
 
 

@@ -107,10 +107,10 @@ func test_the_steps_build_the_sum_up() -> void:
 	var counts: Array[int] = []
 	for step: int in 5:
 		counts.push_front(_formula_lines().size())
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_eq(counts, [2, 3, 4, 5, 8] as Array[int])
 	assert_false(_part("Stairs").visible)
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_true(_part("Stairs").visible)
 
 

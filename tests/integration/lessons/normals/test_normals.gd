@@ -93,10 +93,10 @@ func test_huge_and_tiny_vectors_have_a_unit_normal() -> void:
 func test_the_steps_build_the_drawing_up() -> void:
 	var parts: Array[String] = ["%Normal", "%Opposite", "%Unit", "%Scaled"]
 	for shown: int in [3, 2, 1, 0]:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 		for i: int in parts.size():
 			assert_eq(seen([parts[i]]), [i < shown] as Array[bool], parts[i])
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Normal", "%RightAngle", "%Turn"]), [true, true, true] as Array[bool])
 
 
@@ -122,7 +122,7 @@ func test_mistake_9_shows_both_wrong_normals_beside_the_right_one() -> void:
 	await pick_mistake("Mistake 9")
 	assert_eq(seen(["%Normal", "%Swapped", "%WrongSign"]), [true, true, true] as Array[bool])
 	assert_reads("(y, x): 53.1° from v, not +90°")
-	assert_reads("test_mistake_9_the_normal_with_the_wrong_sign_or_swapped")
+	assert_reads("The test wants the normal of (3, 1) to point along (−1, 3).")
 	assert_has(formula_lines(), "✗ (y, x) = (1, 3)     v · ✗ (y, x) = 6")
 
 
@@ -149,7 +149,7 @@ func test_switching_a_mistake_off_shows_all_again() -> void:
 	await pick_mistake("Mistake 9")
 	await student.press(&"lab_undo")
 	assert_eq(seen(["%Opposite", "%Swapped"]), [true, false] as Array[bool])
-	assert_does_not_read("Caught by")
+	assert_does_not_read("The test wants")
 
 
 func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:

@@ -146,16 +146,16 @@ func test_steps_build_the_drawing_and_the_formula_up() -> void:
 	var parts: Array[String] = ["%Motion", "%Reset", "%A", "%Impact"]
 	assert_eq(seen(parts), [true, true, true, true])
 	for i: int in 4:
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_eq(seen(parts), [true, false, false, false])
 	assert_eq(formula_lines().size(), 3)
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(parts), [true, true, false, false])
 	assert_has(formula_lines(), "reset = new + (10 − (−30)) n̂ = (30, 10)")
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(parts), [true, true, true, false])
-	await student.press(&"lab_step")
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
+	await student.press(&"lab_next_step")
 	assert_eq(seen(parts), [true, true, true, true])
 	assert_has(formula_lines(), "POI = old + t v = (6, −8)")
 

@@ -32,7 +32,7 @@ func test_stepping_back_to_the_first_step_turns_the_drawing_back() -> void:
 func test_the_second_step_turns_the_drawing() -> void:
 	await _go_to_first_step()
 	Engine.time_scale = 5.0
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	var shares: Array[float] = []
 	for wait: int in _PATIENCE:
 		shares.append(_share())
@@ -56,7 +56,7 @@ func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	]
 	for line: String in lines:
 		assert_has(_lines(), line)
-		await student.press(&"lab_step")
+		await student.press(&"lab_next_step")
 		await _finish_turning()
 
 
@@ -160,7 +160,7 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 
 func _go_to_first_step() -> void:
 	for step: int in ProjectionProofTexts.Step.size():
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	await _finish_turning()
 
 

@@ -28,17 +28,17 @@ func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	]
 	for line: String in wanted:
 		assert_eq(_lines()[-1], line)
-		await student.press(&"lab_step_back")
+		await student.press(&"lab_previous_step")
 	assert_eq(_lines().size(), 2, "the first step subtracts nothing")
 
 
 func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
 	_fly_to(1.0)
 	assert_eq(_ball(), Vector2(3, -4))
-	await student.press(&"lab_step_back")
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
+	await student.press(&"lab_previous_step")
 	assert_eq(_ball(), Vector2(3, 0))
-	await student.press(&"lab_step_back")
+	await student.press(&"lab_previous_step")
 	assert_eq(_ball(), Vector2(3, 4))
 
 
@@ -152,7 +152,7 @@ func test_mistake_14_keeps_the_ball_at_the_line() -> void:
 	await _pick_mistake(4)
 	assert_false(_wrong_ball().visible, "up to the line both balls are one")
 	_fly_to(1.0)
-	await student.press(&"lab_step")
+	await student.press(&"lab_next_step")
 	await click_button("One frame on")
 	assert_true(_wrong_ball().visible)
 	assert_reads("it sticks, jittering")

@@ -1,23 +1,10 @@
 extends ScreenTest
 ## The lesson that others are begun from: small, and complete.
 
-const _SCRIPT := "res://scenes/lessons/smallest_lesson/smallest_lesson.gd"
-const _MOST_LINES := 40
-
 
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"smallest_lesson"))
-
-
-func test_it_is_small() -> void:
-	var lines := Array(FileAccess.get_file_as_string(_SCRIPT).split("\n"))
-	var code := lines.filter(
-		func(line: String) -> bool:
-			return line.strip_edges() != "" and not line.strip_edges().begins_with("#")
-	)
-	assert_lte(code.size(), _MOST_LINES)
-	assert_eq(SourceCode.files_below(_SCRIPT.get_base_dir(), ["gd"]).size(), 1)
 
 
 func test_it_starts_with_the_vector_of_its_scene() -> void:

@@ -29,3 +29,4 @@ func test_every_mistake_names_a_test_that_exists() -> void:
 			func(method: Dictionary) -> String: return method["name"]
 		)
 		assert_has(methods, names[1])
+		assert_string_contains(mistake.checks, "The test", mistake.title)

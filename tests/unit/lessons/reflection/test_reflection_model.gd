@@ -123,16 +123,16 @@ func test_pointing_the_normal_turns_the_line_and_keeps_its_length() -> void:
 
 func test_dragging_what_leaves_sets_the_bounciness_within_0_and_1() -> void:
 	var model := ReflectionModel.new()
-	var aimed: Array[float] = []
+	var found: Array[float] = []
 	for y: float in [-2.0, -9.0, 3.0, -1.13]:
-		model.aim_bounciness(Vec2.new(8, y))
-		aimed.append(model.bounciness)
-	assert_eq(aimed, [0.5, 1.0, 0.0, 0.3] as Array[float])
+		model.fit_bounciness(Vec2.new(8, y))
+		found.append(model.bounciness)
+	assert_eq(found, [0.5, 1.0, 0.0, 0.3] as Array[float])
 
 
-func test_a_ball_along_the_line_has_no_bounciness_to_aim_at() -> void:
+func test_a_ball_along_the_line_keeps_its_bounciness() -> void:
 	var model := _model(Vec2.new(5, 0), Vec2.new(-7, 0))
-	model.aim_bounciness(Vec2.new(5, -2))
+	model.fit_bounciness(Vec2.new(5, -2))
 	assert_eq(model.bounciness, 1.0)
 	assert_vec2(model.reflected(), Vec2.new(5, 0), 0.0)
 

@@ -1,0 +1,88 @@
+extends ScreenTest
+## One meaning for each key in all lessons, and none at all for what the focused control uses.
+
+
+func test_space_on_a_focused_button_presses_it_and_no_more() -> void:
+	for lesson: LessonInfo in _with(&"transport"):
+		await open_lesson(lesson)
+		var slow := Screen.button(screen(), "Slow motion")
+		for title: String in ["Play or pause", "One frame on", "Copy a link to this board"]:
+			Screen.button(screen(), title).grab_focus()
+			await student.press_key(KEY_SPACE)
+			assert_false(slow.button_pressed, "%s in %s" % [title, lesson.id])
+		slow.grab_focus()
+		await student.press_key(KEY_SPACE)
+		assert_true(slow.button_pressed, "pressed once")
+		screen().free()
+
+
+func test_space_on_the_title_of_the_question_unfolds_it_and_no_more() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	var question := frame().lesson.services[&"question"] as FoldableContainer
+	var was_folded := question.folded
+	question.grab_focus()
+	await student.press_key(KEY_SPACE)
+	assert_ne(question.folded, was_folded)
+	assert_false(Screen.button(screen(), "Slow motion").button_pressed)
+
+
+func test_space_on_a_handle_which_does_not_use_it_is_slow_motion() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	Screen.named(screen(), "Head of a").grab_focus()
+	await student.press_key(KEY_SPACE)
+	assert_true(Screen.button(screen(), "Slow motion").button_pressed)
+
+
+func test_s_is_one_frame_of_time_and_leaves_the_step_of_the_explanation() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		var shown := frame().lesson.step
+		var seconds := _count_seconds()
+		await student.press_key(KEY_S)
+		await student.press_key(KEY_S, true)
+		await student.press_key(KEY_S, true)
+		var wanted := [1.0, -1.0, -1.0] if lesson.needs.has("transport") else []
+		assert_eq(seconds.map(signf), wanted, lesson.id)
+		assert_eq(frame().lesson.step, shown, lesson.id)
+		screen().free()
+
+
+func test_n_and_the_page_keys_step_the_explanation_and_leave_time_alone() -> void:
+	for lesson: LessonInfo in _with(&"steps"):
+		await open_lesson(lesson)
+		var seconds := _count_seconds()
+		var steps := frame().lesson.services[&"steps"] as Steps
+		steps.go_to(1)
+		await student.press_key(KEY_N)
+		assert_eq(frame().lesson.step, 2, lesson.id)
+		await student.press_key(KEY_N, true)
+		assert_eq(frame().lesson.step, 1, lesson.id)
+		await student.press_key(KEY_PAGEDOWN)
+		assert_eq(frame().lesson.step, 2, lesson.id)
+		await student.press_key(KEY_PAGEUP)
+		assert_eq(frame().lesson.step, 1, lesson.id)
+		assert_eq(seconds, [], lesson.id)
+		screen().free()
+
+
+func test_the_digits_of_the_keypad_choose_what_the_digits_choose() -> void:
+	await open_lesson(LessonIndex.find(&"angled_lines"))
+	for digit: int in 10:
+		await student.press_key((KEY_KP_0 + digit) as Key)
+		var preset: int = frame().lesson.state()["preset"]
+		assert_eq(preset, digit)
+
+
+# What passes in the lesson that is open, as it comes; empty where it has no transport.
+func _count_seconds() -> Array:
+	var seconds := []
+	if frame().lesson.services.has(&"transport"):
+		var transport := frame().lesson.services[&"transport"] as Transport
+		transport.advanced.connect(func(passed: float) -> void: seconds.append(passed))
+	return seconds
+
+
+func _with(service: StringName) -> Array[LessonInfo]:
+	return LessonIndex.lessons().filter(
+		func(lesson: LessonInfo) -> bool: return lesson.needs.has(str(service))
+	)
