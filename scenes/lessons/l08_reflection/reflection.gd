@@ -39,7 +39,7 @@ func start() -> void:
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
 	# A refusal stays in the notice line as long as it holds.
-	settled.connect(func() -> void: noticed.emit(_model.refusal()))
+	about_to_show.connect(func() -> void: noticed.emit(_model.refusal()))
 	begin(_model, _show, _spanned_points)
 
 
