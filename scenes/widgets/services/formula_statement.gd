@@ -226,9 +226,9 @@ static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alo
 			value = 0.0
 		texts.append(NumberText.short(value, digits))
 	var text := texts[0] if texts.size() == 1 else "(%s)" % ", ".join(texts)
-	if rounding > 0.0:
+	if rounding > 0.0 and is_alone:
 		text += " " + LabText.translate("(rounding: %s)") % NumberText.size(rounding)
-	elif texts.size() == 1 and number.components[0] < 0.0 and not is_alone:
+	elif texts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:
 		text = "(%s)" % text
 	return text
 
