@@ -293,6 +293,15 @@ func test_trails_of_many_balls_end_at_the_balls_forward_and_back() -> void:
 		assert_true(_all_places(trails) == past[11 - i], "trails %d steps back" % (i + 1))
 
 
+func test_trails_of_a_mistake_begin_with_it() -> void:
+	await student.press(&"lab_preset_9")
+	await pick_mistake("Mistake 26")
+	for i: int in 3:
+		await student.press(&"lab_next_frame")
+	var wrong := frame().lesson.get_node("%WrongTrails") as BallTrails
+	assert_eq(wrong.places_of(0).size(), 4)
+
+
 func test_a_lost_ball_is_counted_and_fetched() -> void:
 	await student.press(&"lab_preset_5")
 	_choose_method(SteppingMethods.Method.POSITION_RESET)

@@ -297,6 +297,16 @@ func test_the_velocities_asked_for_are_what_the_world_does() -> void:
 		assert_almost_eq(gravity.right_answer[0], speed, 0.07, gravity.prompt)
 
 
+func test_every_question_tells_its_mistakes_apart() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 14
+	for kind: int in SteppingExercise.Kind.size():
+		for question: int in 500:
+			var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
+			if not exercise.tells_mistakes_apart():
+				fail_test(exercise.prompt)
+
+
 func test_wrong_answers_are_named() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 13
