@@ -32,7 +32,7 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
-	assert_reads("smallest error, by its run time?")
+	assert_reads("which method has the smallest error?")
 	await click_button("the slowest")
 	var is_slowest := _model().rank_of_closest() == 2
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
