@@ -30,6 +30,7 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
 	"\\|([^|]*)\\|": "abs($1)",
+	"cos (n\\d+)°": "cos(deg_to_rad($1))",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
 	"(?<![\\w.])(\\d+)(?![\\w.])": "$1.0",
 }
@@ -143,7 +144,7 @@ func _add_computed(side: String) -> void:
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("n\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string("cos n\\d+°|n\\d+").sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:
@@ -225,9 +226,9 @@ static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alo
 			value = 0.0
 		texts.append(NumberText.short(value, digits))
 	var text := texts[0] if texts.size() == 1 else "(%s)" % ", ".join(texts)
-	if rounding > 0.0:
+	if rounding > 0.0 and is_alone:
 		text += " " + LabText.translate("(rounding: %s)") % NumberText.size(rounding)
-	elif texts.size() == 1 and number.components[0] < 0.0 and not is_alone:
+	elif texts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:
 		text = "(%s)" % text
 	return text
 

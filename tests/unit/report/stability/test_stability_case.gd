@@ -1,8 +1,8 @@
 extends LabTest
-## What a case makes of its trial: passed, failed, refused.
+## What a case says about its trial: passed, failed or refused.
 
 
-## A family whose trials do what the test says.
+## A family with one case for each outcome.
 class GivenFamily:
 	extends StabilityFamily
 
@@ -83,7 +83,7 @@ func test_a_star_room_tells_how_deep_inside_or_outside_a_point_is() -> void:
 	assert_almost_eq(room.depth_of(300.0, 0.0), 0.0, 1e-9)
 	assert_almost_eq(room.depth_of(310.0, 0.0), -10.0, 1e-9)
 	assert_false(room.depth_of(NAN, 0.0) >= 0.0)
-	# Between two tips: outside although as near to the middle as the tips are.
+	# Between two tips a point is outside, although it is nearer to the middle than the tips are.
 	assert_lt(room.depth_of(250.0 * cos(TAU / 14.0), 250.0 * sin(TAU / 14.0)), -20.0)
 
 

@@ -1,5 +1,5 @@
 extends LabTest
-## Every line of the stability table, tried as `./lab stability --quick` does: long ones in their
+## Tries every line of the stability table as `./lab stability --quick` does, long ones in their
 ## quick form.
 
 
