@@ -50,7 +50,7 @@ func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 	await student.settle()
 	var lines := Screen.lines(frame().lesson.services[&"formula"] as Formula)
 	assert_string_contains(lines[0], "p = log( e₁ / e₂ ) / log( t₂ / t₁ )")
-	assert_string_contains(lines[3], "p = log ")
+	assert_string_contains(lines[3], "p = log( ")
 	var shown := lines[3].get_slice(" = ", 2).replace("\u2212", "-").to_float()
 	var there := _run().measurements()
 	var order := ErrorAndTimeModel.order(
