@@ -48,7 +48,7 @@ static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> Str
 	if not forecast:
 		return LabText.translate("It has not bounced yet. Pause to see the path to come.")
 	if not forecast.next_bounce:
-		return LabText.translate("Dotted is the path to come: the ball touches no line on it.")
+		return LabText.translate("Dotted is the path to come: there is no bounce on it.")
 	return LabText.translate(
 		"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
 	)
