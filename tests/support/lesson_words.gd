@@ -27,7 +27,17 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{words = ["on the way:", "signed length of p"], meanings = {"b̂": "b / |b|"}},
 	&"line_distance":
 	{
-		words = ["to", "at", "to the segment:", "gap", "wrong:", "straight up"],
+		words =
+		[
+			"line:",
+			"to",
+			"at",
+			"to the segment:",
+			"gap",
+			"wrong:",
+			"y of the line − y of c",
+			"a vertical line has no y at the ball's x",
+		],
 		not_shown = ["p"],
 	},
 	&"point_of_impact":

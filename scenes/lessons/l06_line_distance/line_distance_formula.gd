@@ -96,7 +96,7 @@ func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2, scale: float) -> 
 func _put_distances(model: LineDistanceModel, scale: float) -> void:
 	_formula.put_sum("distance", model.distance(), scale, Palette.Role.PROJECTION)
 	_formula.put_number("radius", model.ball.radius, Palette.Role.INK)
-	_formula.put_number("gap", model.gap(), Palette.Role.INK)
+	_formula.put_sum("gap", model.gap(), scale, Palette.Role.INK)
 	_formula.put_vector("nearest", model.nearest(), Palette.Role.REST)
 	_formula.put_sum("segment", model.segment_distance(), scale, Palette.Role.REST)
-	_formula.put_number("wrong_distance", model.distance_with_mistake(), Palette.Role.WRONG)
+	_formula.put_sum("wrong_distance", model.distance_with_mistake(), scale, Palette.Role.WRONG)
