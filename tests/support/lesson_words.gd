@@ -88,12 +88,13 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{
 		words =
 		[
-			"Point at a method with several settings:",
+			"Point at a mark with a line:",
 			"its slope is the order p.",
-			"An error of 0, or no answer,",
-			"has no order.",
+			"One of the two settings has no answer.",
+			"One of the two errors is 0.",
+			"Both settings take the same time.",
+			"So there is no order p.",
 		],
-		digits = 3,
 	},
 }
 

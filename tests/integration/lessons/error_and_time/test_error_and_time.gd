@@ -32,7 +32,7 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
-	assert_reads("smallest error, by its run time?")
+	assert_reads("which method has the smallest error?")
 	await click_button("the slowest")
 	var is_slowest := _model().rank_of_closest() == 2
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
@@ -50,7 +50,7 @@ func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 	await student.settle()
 	var lines := Screen.lines(frame().lesson.services[&"formula"] as Formula)
 	assert_string_contains(lines[0], "p = log( e₁ / e₂ ) / log( t₂ / t₁ )")
-	assert_string_contains(lines[3], "p = log ")
+	assert_string_contains(lines[3], "p = log( ")
 	var shown := lines[3].get_slice(" = ", 2).replace("\u2212", "-").to_float()
 	var there := _run().measurements()
 	var order := ErrorAndTimeModel.order(
