@@ -93,7 +93,7 @@ func _show() -> void:
 	ask_before(DotProductTexts.Step.SCALAR, DotProductTexts.question(_model), _truth, _first_guess)
 	tell_steps(DotProductTexts.sentences(_model))
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
+	_formula.show_model(_model, step, (services[&"transport"] as Transport).is_playing)
 	_show_verdict()
 	_show_plot()
 	_show_calls()
