@@ -227,6 +227,7 @@ func test_the_other_button_begins_a_drag_of_its_own() -> void:
 	student.hold(_place(-3, -4), MOUSE_BUTTON_RIGHT)
 	student.move_to(_place(-5, 2))
 	student.release(_place(-5, 2), MOUSE_BUTTON_RIGHT)
+	student.release(_place(-5, 2))
 	await student.settle()
 	assert_eq(_vector("a"), PackedFloat64Array([-3, -4]))
 	assert_eq(_vector("b"), PackedFloat64Array([-5, 2]))

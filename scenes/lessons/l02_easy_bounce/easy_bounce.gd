@@ -12,7 +12,7 @@ const _CORNER_OF_FRAME := Vector2(EasyBounceModel.HALF_LENGTH, 120.0)
 
 ## Tilts to pick, in degrees, by their titles (source text).
 const _PRESETS: Dictionary[String, float] = {
-	"Level": 0.0, "10°": 10.0, "30°": 30.0, "−30°": -30.0, "−45°": -45.0
+	"0°": 0.0, "10°": 10.0, "30°": 30.0, "−30°": -30.0, "−45°": -45.0
 }
 
 var _model := EasyBounceModel.new()
@@ -131,4 +131,4 @@ func _show() -> void:
 	_formula.show_model(_model, moved, step)
 	_readout.show_model(_model, moved)
 	_verdict.show_model(_model, moved, step)
-	tell_steps(EasyBounceTexts.sentences(_model))
+	tell_steps(EasyBounceTexts.sentences(_model, moved))

@@ -23,7 +23,8 @@ func show_model(model: EasyBounceModel, moved: Ball) -> void:
 	_show_vector(
 		tr("easy velocity"), easy.velocity, model.velocity_error(moved), _flip(model, moved)
 	)
-	var by_normal := LineDistance.signed_distance.bind(moved.position, model.line())
+	var from_pivot := moved.position.minus(model.pivot)
+	var by_normal := LineDistance.signed_distance.bind(from_pivot, model.line_at_origin())
 	var shortest: float = by_normal.call()
 	_show_distance(tr("by the normal"), by_normal, model.exact_error(shortest, moved.position))
 

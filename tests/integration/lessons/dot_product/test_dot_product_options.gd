@@ -147,11 +147,11 @@ func test_the_panel_does_not_jump_while_a_turns() -> void:
 	_transport().set_process(false)
 	for step: int in [4, 5, 6]:
 		await go_to_step(step)
-		var place := _transport().global_position.y
+		var height := _transport().global_position.y
 		for frame_number: int in 120:
 			_transport().advanced.emit(0.1)
 			await get_tree().process_frame
-			if _transport().global_position.y != place:
+			if _transport().global_position.y != height:
 				fail_test("%s at step %d" % [formula_lines(), step + 1])
 				return
 	pass_test("it stays where it is")
