@@ -166,7 +166,7 @@ func test_each_mistake_shows_its_wrong_share_beside_the_right_one() -> void:
 	var wrong: Dictionary[String, String] = {
 		"Mistake 15": "40 / (−30) = −1.333",
 		"Mistake 16": "(|50| − 10) / (|50| − |(−30)|) = 2",
-		"Mistake 20": "(−30 − 10) / 80 = −0.5",
+		"Mistake 20": "((−30) − 10) / 80 = −0.5",
 	}
 	for heading in wrong:
 		await pick_mistake(heading)
