@@ -16,7 +16,7 @@ const _MOST_DIGITS := 36
 # So many digits at once are read into an int.
 const _DIGITS_AT_ONCE := 9
 # Other minus signs, as word processors and people who write formulas put them.
-const _DASHES: PackedStringArray = ["\u2212", "\u2013", "\u2012"]
+const _DASHES: PackedStringArray = ["\u2212", "\u2013"]
 # Letters of full width, as East Asian keyboards write them, and how far they are from those of ASCII.
 const _FULL_WIDTH := 0xff01
 const _FROM_ASCII := 0xfee0

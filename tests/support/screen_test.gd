@@ -50,6 +50,12 @@ func open_lesson(lesson: LessonInfo) -> void:
 	await _open(new_frame)
 
 
+## Goes forward to a step of the lesson, counted from 0; else to the last one. Answers no question.
+func go_to_step(step: int = 1000) -> void:
+	(frame().lesson.services[&"steps"] as Steps).go_to(step)
+	await student.settle()
+
+
 ## The lesson frame that is open now; null on the start screen.
 func frame() -> LessonFrame:
 	return screen() as LessonFrame

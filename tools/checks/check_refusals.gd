@@ -1,5 +1,5 @@
 extends SceneTree
-## Finds dropped refusals. A method of ours that refuses something returns a String, "" when all went
+## Finds dropped refusals. A method of ours that refuses something returns a String, "" when all is
 ## well. Its answer must be asserted, shown, or passed to [method Refusal.push].
 ##
 ## Godot says which statements drop the value of a call, but not the value's type. So the name

@@ -38,6 +38,8 @@ func start() -> void:
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
+	# A refusal stays in the notice line as long as it holds.
+	about_to_show.connect(func() -> void: noticed.emit(_model.refusal()))
 	begin(_model, _show, _spanned_points)
 
 
@@ -85,17 +87,7 @@ func _fly(seconds: float) -> void:
 	_drawing.show_ball(_model, _step())
 
 
-# What the student sees. A refusal stays in the notice line as long as it holds.
-
-
-func finish_edit() -> void:
-	super()
-	noticed.emit(_model.refusal())
-
-
-func show_state(stored: Dictionary) -> void:
-	super(stored)
-	noticed.emit(_model.refusal())
+# What the student sees.
 
 
 func _spanned_points() -> Array[Vec2]:

@@ -123,8 +123,9 @@ func _lay_handles(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	(%ComingTail as Handle).place(model.velocity.negated())
 	(%VelocityHead as Handle).place(model.velocity)
 	(%VelocityHead as Handle).visible = _velocity.visible
-	var leaving := model.velocity_after(model.times_subtracted(step))
-	(%LeavingHead as Handle).place(leaving)
+	# Hidden, it lies where the last step shows it: the lesson reads the bounciness there at the start.
+	var seen := step if _leaving.visible else ReflectionModel.Step.BOUNCE
+	(%LeavingHead as Handle).place(model.velocity_after(model.times_subtracted(seen)))
 	(%LeavingHead as Handle).visible = _leaving.visible
 
 

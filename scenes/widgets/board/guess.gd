@@ -25,7 +25,8 @@ func ask(truth: Callable, first: Callable) -> bool:
 	_was_moved = false
 	focus_mode = Control.FOCUS_ALL
 	mouse_filter = Control.MOUSE_FILTER_PASS
-	place(first.call() as Vec2)
+	var start: Vec2 = first.call()
+	place(start)
 	show()
 	# The arrow keys move it where nothing else would take them.
 	if not get_viewport().gui_get_focus_owner():

@@ -159,7 +159,7 @@ func _bounce_off_segment_fast(index: int, place: int) -> void:
 
 # What becomes of a ball in straight flight at a wall, and its next touch of a wall if nothing else
 # is there, written out: a lone ball in a box does nothing else. With the readable steps it takes
-# 1.5 times as long, and cut into two functions 1.16 times. Unlike _bounce_off_line this law puts
+# 1.5 times as long, and cut into two functions 1.1 times. Unlike _bounce_off_line this law puts
 # the ball exactly where it touches the wall.
 func _bounce_off_wall_fast(index: int) -> void:
 	impacts += 1

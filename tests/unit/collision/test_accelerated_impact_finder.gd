@@ -44,7 +44,7 @@ func test_the_normal_is_right_to_the_last_bits() -> void:
 func test_the_feature_is_the_one_that_is_touched() -> void:
 	var wrong := PackedInt32Array()
 	for row: int in _table.size():
-		# Feature 1, 2, 3 in the file: line, start, end. At a boundary both are right.
+		# Features 1, 2, 3 in the file are line, start, end. At a boundary both are right.
 		if _table.family(row) == "random" and _solve(row) and _table.is_hit(row):
 			if _solver.feature != int(_table.at(row, "feature")) - 1:
 				wrong.append(row)
@@ -105,27 +105,27 @@ func test_a_ball_thrown_from_the_line_comes_back_to_it() -> void:
 
 
 func test_an_apex_that_only_grazes_the_line_is_no_impact() -> void:
-	# Height of the throw: 8² / (2 * 2) = 16, to exactly one radius below the line.
+	# The ball rises by 8² / (2 * 2) = 16, to exactly one radius below the line.
 	var thrown: PackedFloat64Array = [5, 19, 0, -8, 0, 2, 3]
 	assert_false(_solve_numbers(thrown, [0, 0, 20, 0]))
 	thrown[6] = 3.0 + 2.0 * EPSILON
 	assert_true(_solve_numbers(thrown, [0, 0, 20, 0]))
-	# The last bit of the radius is the height left at the apex: h = g t² / 2.
+	# Now the apex is inside by h = 2 EPSILON, and g t² / 2 = h gives how much earlier it touches.
 	assert_almost_eq(_solver.time, 4.0 - sqrt(2.0 * EPSILON), 1e-15)
 
 
 func test_a_path_that_only_grazes_a_cap_is_no_impact() -> void:
-	# One second later it is at (0, -3) with the velocity (8, 0), on a wider curve than the cap.
+	# After 1 s the ball is at (0, -3) with the velocity (8, 0). Its path curves less than the cap.
 	var thrown: PackedFloat64Array = [-8, -2, 8, -2, 0, 2, 3]
 	assert_false(_solve_numbers(thrown, [0, 0, -1, 50]))
 	thrown[6] = 3.0 + 2.0 * EPSILON
 	assert_true(_solve_numbers(thrown, [0, 0, -1, 50]))
-	# |d|² - r² about that moment: (8² - 2 * 3) s² - 2 * 3 * 2 EPSILON.
+	# At s seconds from then, |d|² - r² is about (8² - 2 * 3) s² - 2 * 3 * 2 EPSILON.
 	assert_almost_eq(_solver.time, 1.0 - sqrt(12.0 * EPSILON / 58.0), 1e-15)
 
 
 func test_a_centre_inside_the_line_that_leaves_falls_back_on_it() -> void:
-	# From 4 above the line upwards to 20 above, and down again to the radius of 10.
+	# It rises from 4 to 20 above the line, and falls back to 10, its radius.
 	assert_true(_solve_numbers([0, -4, 0, -8, 0, 2, 10], [-50, 0, 50, 0]))
 	assert_almost_eq(_solver.time, 4.0 + sqrt(10.0), 1e-15)
 
@@ -137,7 +137,7 @@ func test_a_centre_inside_a_cap_that_leaves_falls_back_on_it() -> void:
 
 
 func test_a_centre_inside_that_turns_round_inside_does_not_impact() -> void:
-	# From 4 above the line to 8 above: it is never clear, falls through, and is gone.
+	# It rises from 4 to only 8 above the line. So it always overlaps, and falls through.
 	assert_false(_solve_numbers([0, -4, 0, -4, 0, 2, 10], [-50, 0, 50, 0]))
 
 

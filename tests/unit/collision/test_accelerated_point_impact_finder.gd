@@ -43,25 +43,25 @@ func test_without_acceleration_it_finds_the_impacts_of_two_balls() -> void:
 func test_a_ball_thrown_up_meets_another_that_falls() -> void:
 	# Relative motion: 100 px apart, 40 px/s towards each other, accelerations 6 and -2 px/s².
 	_solver.set_flight(0, -100, 0, 40, 0, -8, 10)
-	# 100 - 40 t + 4 t² has its least value 0 at 5 s, and is 10 before.
+	# The distance 100 - 40 t + 4 t² falls to 0 at 5 s. It is 10, the radius, at 5 - sqrt(2.5) s.
 	assert_true(_touches(0, 0))
 	assert_almost_eq(_solver.time, 5.0 - sqrt(2.5), 1e-15)
 	assert_eq([_solver.normal_x, _solver.normal_y], [0.0, -1.0])
 
 
 func test_the_first_of_two_entries_counts() -> void:
-	# Thrown up through the circle and falling back through it: in at 10, out at 20, in again.
+	# Thrown up through the circle, the ball enters it from below, leaves, and falls back into it.
 	_solver.set_flight(0, 30, 0, -40, 0, 10, 10)
 	assert_true(_touches(0, 0))
 	assert_almost_eq(_solver.time, 4.0 - 2.0 * sqrt(3.0), 1e-15)
-	# 1 s later, from inside: only the entry from above is left.
+	# 1 s later it starts inside: only the entry from above is still to come.
 	_solver.set_flight(0, -5, 0, -30, 0, 10, 10)
 	assert_true(_touches(0, 0))
 	assert_almost_eq(_solver.time, 3.0 + sqrt(8.0), 1e-14)
 
 
 func test_a_ball_pressed_along_the_point_that_it_touches_does_not_impact() -> void:
-	# Touching, moving along, and pulled inwards: from now on it overlaps until it falls out below.
+	# It touches, moves along and is pulled inwards. So it overlaps until it falls out below.
 	_solver.set_flight(-60, -25, -5, 12, 0, 687.947606674021, 65)
 	assert_false(_touches(0, 0))
 

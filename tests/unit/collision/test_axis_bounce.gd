@@ -1,5 +1,6 @@
 extends LabTest
-## The easy case of the lecture, parts 1 and 2: one coordinate detects, is put back and flipped.
+## The easy case of the lecture, parts 1 and 2: one coordinate tells whether the ball hits, is put
+## back, and has its velocity flipped.
 
 
 func test_a_ball_hits_the_floor_when_its_lowest_point_is_below_it() -> void:
@@ -65,7 +66,7 @@ func test_without_bounciness_the_ball_slides_along() -> void:
 
 
 func test_on_a_level_floor_the_easy_steps_agree_with_those_of_the_normal() -> void:
-	# From right to left, so that its normal points up, to the balls.
+	# The line goes from right to left, so that its normal points up to the balls.
 	var floor_line := LineSegment.new(Vec2.new(300.0, 40.0), Vec2.new(-300.0, 40.0))
 	for velocity: Vec2 in random_vectors(11, 40, 90.0):
 		var easy := Ball.new(

@@ -91,7 +91,7 @@ func _normal_error(row: int, impact: BallImpact) -> float:
 	return _table.normal_error(row, impact.normal, one.radius + other.radius, lengths)
 
 
-# In units of the larger of both velocities after the impact.
+# The error in units of EPSILON times the larger velocity after the impact.
 func _velocity_error(row: int, impact: BallImpact) -> float:
 	var one := Vec2.new(_table.at(row, "v1x_after"), _table.at(row, "v1y_after"))
 	var other := Vec2.new(_table.at(row, "v2x_after"), _table.at(row, "v2y_after"))

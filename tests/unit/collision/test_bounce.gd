@@ -24,7 +24,7 @@ func test_a_velocity_along_the_line_does_not_approach() -> void:
 
 
 func test_the_direction_is_mirrored_at_the_line() -> void:
-	# By angles: a line at the angle l sends the angle d to 2 l - d.
+	# In angles: a line at the angle l turns the direction d into 2 l - d.
 	var vectors := random_vectors(141, 200)
 	for i: int in range(0, 200, 2):
 		var along := vectors[i + 1]
@@ -75,20 +75,20 @@ func test_full_bounciness_keeps_the_energy_of_a_hundred_bounces() -> void:
 
 
 func test_mistake_11_a_normal_that_is_not_unit_is_refused() -> void:
-	# Used as it is, it would make (3, -28) of it.
+	# If this normal were used as it is, the result would be (3, -28).
 	assert_vec2(_bounced(Vec2.new(3, 4), Vec2.new(0, -2)), Vec2.new(3, 4), 0.0)
 	assert_push_error("Vec2.reflect: the normal must have length 1, but has length 2.0.")
 
 
 func test_mistake_12_the_normal_of_the_normal_is_not_used() -> void:
-	# Off the normal of the normal it would be (-3, 4): back on its way, into the line.
+	# With the normal of the normal the result would be (-3, 4), which leads into the line.
 	var velocity := _bounced(Vec2.new(3, 4), Vec2.new(0, -1))
 	assert_gt(velocity.dot(Vec2.new(0, -1)), 0.0, "it moves away from the line")
-	assert_eq(velocity.x, 3.0, "and on along it")
+	assert_eq(velocity.x, 3.0, "it keeps its velocity along the line")
 
 
 func test_mistake_13_bounciness_leaves_the_tangent_alone() -> void:
-	# On the tangent it would make (1.5, -4) of it.
+	# If bounciness acted on the tangent, the result would be (1.5, -4).
 	var velocity := _bounced(Vec2.new(3, 4), Vec2.new(0, -1), 0.5)
 	assert_eq(velocity.x, 3.0)
 	assert_eq(velocity.y, -2.0)

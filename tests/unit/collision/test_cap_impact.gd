@@ -28,7 +28,7 @@ func test_the_end_may_be_anywhere() -> void:
 
 
 func test_the_discriminant_is_rooted_not_squared() -> void:
-	# a = 100, b = -160, c = 55: D = 3600. Squared it would give -64799.
+	# a = 100, b = -160, c = 55 and D = 3600. With D squared the time would be -64799.
 	var fraction := _impact(Vec2.new(-8, 0), Vec2.new(10, 0), 3.0).fraction
 	assert_almost_eq(100.0 * fraction * fraction - 160.0 * fraction + 55.0, 0.0, 1e-12)
 	assert_between(fraction, 0.0, 1.0)
@@ -147,8 +147,8 @@ static func _random_impacts(seed_number: int) -> Array[Impact]:
 	return found
 
 
-# The way to the foot of the perpendicular less the leg of the triangle with the radius; -1 for
-# none, 0 for a ball that overlaps and approaches.
+# The distance to the foot of the perpendicular, less the other leg of the right triangle whose
+# hypotenuse is the radius. -1 for a miss, 0 for a ball that overlaps and approaches.
 static func _time_by_trigonometry(old: Vec2, motion: Vec2, radius: float) -> float:
 	var angle := old.negated().angle_to(motion)
 	var ahead := old.length() * cos(angle)

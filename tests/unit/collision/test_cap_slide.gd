@@ -1,13 +1,13 @@
 extends LabTest
-## Sliding over the round end of a line, against closed forms and against an integration in small
-## steps that knows nothing of energy.
+## Sliding over the round end of a line, compared with closed formulas and with an integration in
+## small steps that does not use energy.
 
 const _RADIUS := 12.0
 const _GRAVITY := 300.0
 const _STEPS := 6000
 
-# Angle from the top in degrees, and angular speed in units of sqrt(g / R): away from the top, over
-# the top, and uphill with too little.
+# Angle from the top in degrees, and angular speed in units of sqrt(g / R). Some slide away from the
+# top, some over it, and some turn back on their way up.
 const _STARTS: Array[Array] = [
 	[10.0, 0.0],
 	[-50.0, 0.0],
@@ -84,7 +84,7 @@ func test_uphill_with_too_little_it_is_back_at_the_start_with_the_reversed_veloc
 	assert_vec2(
 		Vec2.new(_slide.position_x, _slide.position_y), _place(-0.9), 1e-14, "where it started"
 	)
-	# In the middle of the time it stands still, as high as its speed takes it.
+	# At half the time it is at rest, as high as its speed takes it.
 	_slide.move_to(0.5 * _slide.end_time)
 	assert_almost_eq(absf(_slide.velocity_x) + absf(_slide.velocity_y), 0.0, 1e-12)
 	var height := before.length_squared() / (2.0 * _GRAVITY)
@@ -92,7 +92,7 @@ func test_uphill_with_too_little_it_is_back_at_the_start_with_the_reversed_veloc
 
 
 func test_a_push_that_hardly_moves_it_is_over_after_twice_speed_over_pull() -> void:
-	# The way is 1e-12: the difference of the two angles alone would leave 4 digits.
+	# It moves by 1e-12 radians: the difference of the two angles alone would leave 4 digits.
 	_start(-0.7, 1e-6)
 	var wanted := 2e-6 / sin(0.7) / sqrt(_GRAVITY / _RADIUS)
 	assert_eq(_slide.ending, CapSlide.Ending.RETURNS)

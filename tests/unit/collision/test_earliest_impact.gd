@@ -4,7 +4,7 @@ extends LabTest
 const RADIUS := 10.0
 
 
-func test_the_earliest_wall_wins_wherever_it_stands_in_the_list() -> void:
+func test_the_earliest_wall_wins_wherever_it_is_in_the_list() -> void:
 	var near := _wall_at(30.0)
 	var far := _wall_at(60.0)
 	var first := _shot([near, far] as Array[LineSegment])

@@ -14,14 +14,14 @@ func test_the_normal_is_unit() -> void:
 	assert_almost_eq(LineDistance.signed_distance(Vec2.new(120, -35), line), 100.0, 1e-12)
 
 
-# Mistake 9: (y, -x), or (y, x), instead of (-y, x).
+# Mistake 9: the normal is (y, -x) or (y, x) instead of (-y, x).
 func test_the_good_side_is_kept() -> void:
 	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
 	assert_eq(LineDistance.signed_distance(Vec2.new(2, -3), floor_line), 3.0)
 	assert_eq(LineDistance.signed_distance(Vec2.new(2, 3), floor_line), -3.0)
 
 
-# Part 2: straight up it is 125, and a ball would be too close too late.
+# The distance straight up, as in part 2, is 125. With it a collision would be found too late.
 func test_straight_up_is_longer() -> void:
 	var point := Vec2.new(120, -35)
 	var below := Vec2.new(120, 90)

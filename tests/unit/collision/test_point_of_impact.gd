@@ -7,18 +7,18 @@ const RADIUS := 10.0
 var line := LineSegment.new(Vec2.new(60, 45), Vec2.new(-60, -45))
 
 
-# Mistake 15: a / new is -1.33.
+# Mistake 15: dividing a by the new distance gives -1.33.
 func test_b_is_old_less_new() -> void:
 	assert_eq(PointOfImpact.fraction(50, -30, 10), 0.5)
 
 
-# Mistake 16: with the unsigned 30 it is 2, which is right only in front of the line.
+# Mistake 16: without its sign the distance 30 gives 2, which is right only in front of the line.
 func test_distances_are_signed() -> void:
 	assert_eq(PointOfImpact.fraction(50, -30, 10), 0.5)
 	assert_eq(PointOfImpact.fraction(50, 30, 10), 2.0)
 
 
-# Mistake 17: beyond 0..1 nothing is hit in this frame, and b = 0 divides nothing.
+# Mistake 17: outside of 0..1 nothing is hit in this frame, and nothing is divided by b = 0.
 func test_share_is_limited() -> void:
 	var too_short := PointOfImpact.with_line(Vec2.new(6, -58), Vec2.new(0, 37.5), RADIUS, line)
 	assert_false(too_short.hit)
@@ -28,7 +28,7 @@ func test_share_is_limited() -> void:
 	assert_eq(along.outcome, Impact.Outcome.PARALLEL)
 
 
-# Mistake 20: from the new position it is -0.5.
+# Mistake 20: counted from the new position the time would be -0.5.
 func test_time_is_from_old() -> void:
 	assert_eq(PointOfImpact.fraction(8, -2, 3), 0.5)
 	var wall := LineSegment.new(Vec2.new(0, 5), Vec2.new(0, 0))
@@ -113,7 +113,8 @@ func test_a_touching_ball_that_hardly_moves_touches_now() -> void:
 	assert_eq(impact.fraction, 0.0)
 
 
-# The motion is so small against the distance that old - new, computed, is 3 steps of 2^-23 for 2.6.
+# The motion is so small against the distance that the computed old - new is 3 steps of 2^-23, where
+# 2.6 steps would be right.
 func test_the_time_is_right_for_a_motion_that_is_small_against_the_distance() -> void:
 	var floor_line := LineSegment.new(Vec2.new(5, 0), Vec2.new(0, 0))
 	var gap := 2.0 ** 30 - (2.0 ** 30 - 1.0 / 2.0 ** 22)

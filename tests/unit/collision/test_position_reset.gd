@@ -11,7 +11,7 @@ func test_the_ball_goes_back_along_the_normal() -> void:
 	assert_vec2(ball.position, Vec2.new(30, 10), 1e-13)
 
 
-# Part 2 of the lecture: moved straight up it would keep its x and come to (6, -8).
+# Part 2 of the lecture moves the ball straight up: it would keep its x and come to (6, -8).
 func test_it_does_not_go_straight_up() -> void:
 	var ball := Ball.new(Vec2.new(6, 42), 10)
 	PositionReset.reset(ball, line)

@@ -204,8 +204,8 @@ static func _with_floor(old: Vec2, motion: Vec2) -> Impact:
 	return SegmentImpact.with_segment(old, motion, RADIUS, _floor())
 
 
-# "" where a walk along the motion in 500 strides finds the same: the first stride after which the
-# distance is below the radius contains the impact; else a sentence.
+# Walks along the motion in 500 strides. Returns "" if the impact is in the first stride that ends
+# nearer than the radius, or if there is neither; otherwise a sentence.
 static func _difference_from_sampling(
 	impact: Impact, old: Vec2, motion: Vec2, segment: LineSegment
 ) -> String:
@@ -228,7 +228,7 @@ static func _difference_from_sampling(
 	return ""
 
 
-# Heron's area of the triangle gives the height; beyond the ends the distance from them counts.
+# The height of the triangle, by Heron's formula for its area. Beyond an end, the distance from it.
 static func _distance(point: Vec2, segment: LineSegment) -> float:
 	var a := point.distance_to(segment.start)
 	var b := point.distance_to(segment.end)

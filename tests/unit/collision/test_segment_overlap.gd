@@ -1,5 +1,5 @@
 extends LabTest
-## Tests of the look at one moment: does the ball overlap a line with ends?
+## Tests of the question at one moment: does the ball overlap a line with ends?
 
 var _line := LineSegment.new(Vec2.new(0.0, 0.0), Vec2.new(30.0, 40.0))
 
@@ -30,7 +30,7 @@ func test_the_ends_themselves_belong_to_the_line() -> void:
 		assert_eq(overlap.feature, Impact.Feature.LINE)
 
 
-func test_the_frame_is_over_when_it_is_looked_at() -> void:
+func test_an_overlap_is_found_at_the_end_of_the_frame() -> void:
 	assert_eq(SegmentOverlap.with_segment(Vec2.new(15, 20), 10.0, _line).fraction, 1.0)
 
 

@@ -39,7 +39,7 @@ func test_the_normal_is_right_to_the_last_bits() -> void:
 func test_the_feature_is_the_one_that_is_touched() -> void:
 	var wrong := PackedInt32Array()
 	for row: int in _table.size():
-		# Feature 1, 2, 3 in the file: line, start, end. At a boundary both are right.
+		# Features 1, 2, 3 in the file are line, start, end. At a boundary both are right.
 		if _solve(row) and _table.is_hit(row) and _table.family(row) == "random":
 			if _solver.feature != int(_table.at(row, "feature")) - 1:
 				wrong.append(row)
@@ -83,7 +83,7 @@ func test_it_agrees_with_the_lecture_where_both_are_asked_for_one_frame() -> voi
 	assert_all_at_most(differences, 1e-9)
 
 
-# How far both are apart in time; 0 where neither finds an impact within one second.
+# By how much their times differ; 0 if neither finds an impact within one second.
 func _difference_from_lecture(four: Array[Vec2]) -> float:
 	var segment := LineSegment.new(four[2], four[3])
 	var impact := SegmentImpact.with_segment(four[0], four[1], 5.0, segment)

@@ -1,8 +1,8 @@
 extends LabTest
-## The impact with twice the digits of a double, against 4000 answers that were computed with 60
-## digits and rounded to doubles: nothing but that rounding may be left.
+## Impacts computed with twice the digits of a double, compared with 4000 answers that were computed
+## with 60 digits and rounded to doubles. They may differ by that rounding only.
 
-## What twice the digits promise, per unit of relative change in the input.
+## The promised error, per unit of relative change in the input.
 const PROMISED := 1.0 / 2.0 ** 100
 
 var _table := ImpactTable.new("ball_segment")
@@ -43,8 +43,8 @@ func test_a_centre_on_the_line_itself_is_hit_from_where_it_comes() -> void:
 		assert_eq(signf(impact.normal.y.high), -down)
 
 
-# In units of what may be wrong: half a last place from the rounding of the reference, and what the
-# digits here promise.
+# The error as a share of what is allowed: half a unit in the last place for the rounding of the
+# reference, and the promised error.
 func _time_error(impact: ExactImpact, row: int) -> float:
 	var wanted := _table.at(row, "t")
 	var promised := PROMISED * maxf(_table.at(row, "condition"), wanted)

@@ -1,7 +1,7 @@
 extends LabTest
-## The exact distance from a line, and the exact contact on a path: what readouts compare with.
+## The exact distance from a line and the exact contact on a path. Readouts compare with them.
 
-## The root of one half with 106 bits: the double next to it and what that leaves over.
+## The square root of one half with 106 bits: the nearest double, and the rest.
 const ROOT_OF_HALF_HIGH := 0.7071067811865476
 const ROOT_OF_HALF_LOW := -4.833646656726457e-17
 

@@ -25,7 +25,7 @@ func test_digits_that_no_double_holds_are_kept() -> void:
 
 
 func test_the_discriminant_is_zero_where_the_apex_touches() -> void:
-	# 19 below the line, thrown up with 8 against 2: the apex is 3 below it.
+	# Thrown up from 19 px below the line at 8 px/s, against 2 px/s^2: the apex is 3 px below it.
 	var path := ExactParabola.new(5, 19, 0, -8, 0, 2)
 	assert_eq(path.line_discriminant(0, 0, 20, 0, 3, 1), 0.0)
 	assert_eq(path.line_discriminant(0, 0, 20, 0, 2, 1), -4.0 * 400.0)

@@ -1,7 +1,7 @@
 extends LabTest
 ## The exact path against the reference trajectories, worked out elsewhere with 140 digits.
 
-## 8 units in the last of 106 bits, per unit of relative change in the start.
+## The promised error: 8 units in the last of 106 bits, per unit of relative change in the start.
 const PROMISED := 1.0 / 2.0 ** 103
 
 
@@ -92,7 +92,7 @@ func _wall(x: float) -> LineSegment:
 	return LineSegment.new(Vec2.new(x, -90), Vec2.new(x, 90))
 
 
-# What is left of the error after the rounding of the reference, in the worse component.
+# The error of the worse component, less the rounding of the reference.
 func _error_of_end(path: ExactPath, case: ReferenceTrajectory) -> float:
 	var end := path.exact_position()
 	var error_x := absf(end.x.error_of(case.end.x)) - last_place(case.end.x) / 2.0
@@ -100,7 +100,7 @@ func _error_of_end(path: ExactPath, case: ReferenceTrajectory) -> float:
 	return maxf(maxf(error_x, error_y), 0.0)
 
 
-# A place that is off by one radius turns the velocity by about 1 radian.
+# An error of one radius in the place turns the velocity by about 1 radian.
 func _velocity_bound(case: ReferenceTrajectory) -> float:
 	var speed := case.end_velocity.length()
 	return last_place(speed) + speed / case.ball.radius * case.amplification * PROMISED

@@ -11,7 +11,7 @@ func test_the_lecture_example_is_exact() -> void:
 
 
 func test_pythagorean_directions_give_exact_fractions() -> void:
-	# (1, 0) on (3, 4) is 3/5: five times it is 3, with no error at all in 100 bits.
+	# (1, 0) projected on (3, 4) is 3/5. Five times that is 3, without any error in 100 bits.
 	var three_fifths := ExactProjection.scalar_projection(Vec2.new(1, 0), Vec2.new(3, 4))
 	var three := three_fifths.times(DoubleDouble.from_float(5.0))
 	assert_almost_eq(three.error_of(3.0), 0.0, 3.0 * PROMISED)

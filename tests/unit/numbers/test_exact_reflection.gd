@@ -16,7 +16,7 @@ func test_the_error_is_the_distance_from_the_exact_answer() -> void:
 
 
 func test_an_angled_line_is_exact_as_well() -> void:
-	# Off a line along (4, 3), (0, 5) goes to (24, -7) / 5; neither 4.8 nor 1.4 is a double.
+	# A line along (4, 3) reflects (0, 5) to (4.8, -1.4). Neither number is a double.
 	var error := ExactReflection.error_of(Vec2.new(4.8, -1.4), Vec2.new(0, 5), Vec2.new(4, 3), 2.0)
 	assert_between(error, 1e-18, 3e-16)
 

@@ -1,7 +1,8 @@
 extends LabTest
-## Vectors with twice the digits: each rule with numbers that a double would round.
+## Vectors with twice the digits of a double. Each rule is tried with numbers that a double would
+## round.
 
-## 1 and a part that no double near 1 has room for.
+## 1 plus a part that is too small for a double near 1.
 const TINY := 1.0 / 2.0 ** 90
 
 

@@ -21,7 +21,8 @@ func test_it_is_zero_for_zero_vectors() -> void:
 	assert_eq(PrimitiveProjection.scalar(Vec2.new(0, 0), Vec2.new(8, -6)), 0.0)
 
 
-# The nearest double to pi / 2 is 6.123e-17 off, and so is its cosine; 5e15 times that is 0.306.
+# The double nearest to pi / 2 is 6.123e-17 too small, so its cosine is 6.123e-17 and not 0. Times
+# 5e15 that is 0.306.
 func test_it_sees_a_shadow_of_huge_perpendicular_vectors() -> void:
 	var a := Vec2.new(4e15, 3e15)
 	var b := Vec2.new(6e15, -8e15)

@@ -1,5 +1,5 @@
 extends LabTest
-## Who is on the frontier between error and run time.
+## Which methods are on the frontier between error and run time.
 
 
 func test_the_fast_one_and_the_exact_one_are_both_on_it() -> void:

@@ -8,12 +8,74 @@ func before_each() -> void:
 	await open_lesson(LessonIndex.find(&"error_and_time"))
 
 
-func test_it_measures_by_itself_and_tells_of_the_closest_point() -> void:
+func test_it_measures_by_itself_and_gives_no_answer_at_the_first_step() -> void:
 	assert_gt(_run().done_count(), 0)
 	await _finish_measuring()
 	assert_reads("Done")
+	assert_reads("Each mark is a method")
+	assert_eq(_plot().chosen(), -1)
+	assert_does_not_read("frontier")
+	assert_does_not_read("closest")
+	assert_does_not_read("log(")
+
+
+func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() -> void:
+	await _finish_measuring()
+	_steps().go_to(1)
+	await student.settle()
 	assert_reads("on the frontier")
+	assert_reads("closest")
 	assert_eq(_plot().chosen(), _frontier()[-1])
+	assert_does_not_read("log(")
+
+
+func test_it_asks_before_the_frontier_and_before_the_order() -> void:
+	await _finish_measuring()
+	await student.press(&"lab_next_step")
+	assert_reads("smallest error, by its run time?")
+	await click_button("the slowest")
+	var is_slowest := _model().rank_of_closest() == 2
+	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
+	await student.press(&"lab_next_step")
+	await click_button("1/2")
+	assert_reads("No: it is 1/4")
+	assert_eq(frame().lesson.step, 2)
+
+
+func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	var place := _place_with_an_order()
+	student.move_to(_pixel(place))
+	await student.settle()
+	var lines := Screen.lines(frame().lesson.services[&"formula"] as Formula)
+	assert_string_contains(lines[0], "p = log( e₁ / e₂ ) / log( t₂ / t₁ )")
+	assert_string_contains(lines[3], "p = log ")
+	var shown := lines[3].get_slice(" = ", 2).replace("\u2212", "-").to_float()
+	var there := _run().measurements()
+	var order := ErrorAndTimeModel.order(
+		there[place], there[ErrorAndTimeModel.neighbour(there, place)]
+	)
+	assert_almost_eq(shown, order, absf(order) * 1e-3)
+
+
+func test_where_there_is_no_order_the_formula_says_why() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	for place in _run().measurements().size():
+		student.move_to(_pixel(place))
+		await student.settle()
+		var there := _run().measurements()
+		var other := ErrorAndTimeModel.neighbour(there, place)
+		var has_order := (
+			other >= 0 and not is_nan(ErrorAndTimeModel.order(there[place], there[other]))
+		)
+		assert_eq(
+			Screen.lines(frame().lesson.services[&"formula"] as Formula).size() == 4,
+			has_order,
+			there[place].method
+		)
+		assert_does_not_read("NaN")
 
 
 func test_the_scene_says_which_problem_is_measured_first() -> void:
@@ -65,7 +127,7 @@ func test_the_mouse_on_a_point_tells_method_error_and_run_time() -> void:
 		await student.settle()
 		var measured := _run().measurements()[place]
 		assert_reads(ErrorAndTimeTexts.run_time(measured.run_time_us))
-		assert_reads(measured.method)
+		assert_reads(MeasuredTexts.of(measured.method))
 		assert_eq(_plot().chosen(), place)
 
 
@@ -94,7 +156,7 @@ func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
 
 
 func test_the_tab_key_reaches_the_plot() -> void:
-	(Screen.button(screen(), "Copy a link to this board")).grab_focus()
+	Screen.button(screen(), "Motion").grab_focus()
 	await student.press_key(KEY_TAB)
 	assert_true(_plot().has_focus())
 
@@ -123,7 +185,7 @@ func test_reset_begins_anew() -> void:
 
 
 func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	assert_false(_plot().is_visible_in_tree())
 	assert_true(_table().is_visible_in_tree())
 	while _model().stability.is_going:
@@ -131,15 +193,29 @@ func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() ->
 	await student.settle()
 	var run := _model().stability
 	assert_gt(run.size(), 20)
-	assert_reads("%d of %d tried hold" % [run.passed_count(), run.size()])
+	assert_reads("Tried %d of %d: %d hold." % [run.size(), run.size(), run.passed_count()])
+	assert_reads("%d more take too long here." % run.left_out.size())
+	for place in run.left_out.size():
+		var row := _table().row(run.size() + place)
+		assert_eq(row.outcome(), StabilityMark.Outcome.LEFT_OUT, run.left_out[place].title)
 	for place in run.size():
 		var holds := _table().row(place).outcome() == StabilityMark.Outcome.PASSED
 		assert_eq(holds, run.results[place].passed, run.cases[place].title)
 		assert_reads(run.results[place].figure)
 
 
+func test_no_row_says_that_more_was_tried_than_was() -> void:
+	await _open_stability()
+	await student.settle()
+	for place in _model().stability.size():
+		var case: StabilityCase = _model().stability.cases[place]
+		if case.is_long:
+			assert_reads(case.quick_title)
+			assert_does_not_read(case.title)
+
+
 func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	await click_button("Stop")
 	var done := _model().stability.done_count()
 	await student.settle()
@@ -150,7 +226,7 @@ func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
 
 
 func test_the_table_fits_at_every_size() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	for size: Vector2i in [
 		Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
 	]:
@@ -159,7 +235,7 @@ func test_the_table_fits_at_every_size() -> void:
 
 
 func test_a_problem_chosen_from_the_table_leads_back_to_the_plot() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	await _pick("What is measured", 0)
 	assert_true(_plot().is_visible_in_tree())
 	assert_eq(_model().problem().id, "scalar_projection")
@@ -174,6 +250,25 @@ func test_a_question_names_the_mistake() -> void:
 
 func _model() -> ErrorAndTimeModel:
 	return frame().lesson.get(&"_model")
+
+
+func _steps() -> Steps:
+	return frame().lesson.services[&"steps"] as Steps
+
+
+# The last entry in the list of problems.
+func _open_stability() -> void:
+	await _pick("What is measured", _model().problems.size())
+
+
+# A measurement that has an order together with its neighbour.
+func _place_with_an_order() -> int:
+	var there := _run().measurements()
+	for place in there.size():
+		var other := ErrorAndTimeModel.neighbour(there, place)
+		if other >= 0 and not is_nan(ErrorAndTimeModel.order(there[place], there[other])):
+			return place
+	return -1
 
 
 func _run() -> MeasuringRun:

@@ -10,6 +10,7 @@ const _SMALL_FIELDS: Array[String] = [
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"line_ends"))
+	await go_to_step()
 
 
 func test_the_first_sight_tells_what_happens_in_each_field() -> void:

@@ -5,6 +5,7 @@ extends BallLessonTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"normals"))
+	await go_to_step()
 
 
 func test_it_starts_with_the_first_example_of_the_lecture() -> void:

@@ -5,6 +5,7 @@ extends BallLessonTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"point_of_impact"))
+	await go_to_step()
 
 
 func test_it_starts_with_the_numbers_of_the_course() -> void:

@@ -6,6 +6,7 @@ extends ScreenTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"reflection"))
+	await go_to_step()
 
 
 func after_each() -> void:

@@ -111,7 +111,7 @@ func test_turning_keeps_length_and_tail_and_reaches_the_angle() -> void:
 
 func _lecture() -> DotProductModel:
 	var model := DotProductModel.new()
-	model.take(DotProductModel.PRESETS["Lecture"])
+	assert_no_refusal(model.take(DotProductModel.PRESETS["Lecture"]))
 	return model
 
 

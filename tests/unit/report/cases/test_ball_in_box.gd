@@ -13,12 +13,12 @@ func test_a_wall_turns_the_way_round() -> void:
 
 
 func test_whole_rounds_bring_it_back() -> void:
-	# To and fro is 200 px: 2e9 rounds and 30 px.
+	# There and back is 200 px: the ball makes 2e9 rounds and 30 px.
 	assert_eq(BallInBox.folded(20.0, 1.0, 4e11 + 30.0, 0.0, 100.0).to_float(), 50.0)
 
 
 func test_the_answer_agrees_with_bouncing_step_by_step() -> void:
-	# Whole numbers in a room that does not begin at 0: no rounding on either side.
+	# Whole numbers in a room that does not begin at 0: neither answer is rounded.
 	var x := -37
 	var velocity := 13
 	for second: int in 500:
@@ -34,7 +34,7 @@ func test_the_answer_agrees_with_bouncing_step_by_step() -> void:
 
 
 func test_digits_beyond_a_double_are_kept() -> void:
-	# 0.1 is 0.1 + 5.55e-18 as a double: times 1e6 the error shows in the lower half.
+	# The double 0.1 is 5.55e-18 too large: times 1e6 this shows in the low part.
 	var exact := BallInBox.folded(0.0, 0.1, 1e6, 0.0, 1e9)
 	assert_almost_eq(exact.error_of(100000.0), -5.551115123125783e-12, 1e-20)
 

@@ -67,7 +67,7 @@ func test_the_event_world_keeps_energy_and_distance_and_finds_back() -> void:
 func test_a_run_that_does_not_find_back_says_when() -> void:
 	var case := Drifting.new(Crowd.new(2, 1.0), 60)
 	case.run_once()
-	# 0.3 px a frame: after 4 frames more than 1 px off.
+	# It drifts 0.3 px a frame: after 4 frames it is more than 1 px off.
 	assert_almost_eq(case.figures["reversed"], 4.0 / 60.0, 1e-12)
 	assert_string_contains(case.note, "1 px off its own way after 0.07 s of 1.0 s")
 
@@ -79,7 +79,7 @@ func test_every_size_is_measured() -> void:
 	assert_eq(situations.keys(), ["2 balls", "10 balls", "100 balls", "1000 balls"])
 
 
-# Balls that stand still, and drift after they were turned round.
+# Balls at rest at 0, of which the first coordinate drifts by this much a frame.
 class Drifting:
 	extends CrowdFlight
 

@@ -1,5 +1,5 @@
 extends LabTest
-## What the ways to step a dropped ball are known to do.
+## What each way of stepping a dropped ball is known to do.
 
 
 func test_explicit_euler_gains_energy_and_semi_implicit_loses_it() -> void:
@@ -40,14 +40,15 @@ func test_the_stiffest_spring_leaves_no_number_that_is_not_finite() -> void:
 
 
 func test_a_soft_floor_gives_way_by_gravity_over_stiffness() -> void:
-	# Gravity 1000 px/s^2 over 100 1/s^2: the ball lies 10 px deep.
+	# Gravity of 1000 px/s^2 over a stiffness of 100 1/s^2: the ball lies 10 px deep.
 	var case := SpringDrop.new(1e2, 0.5, 960)
 	case.run_once()
 	assert_almost_eq(case.figures["height"], -10.0, 1e-6)
 
 
 func test_the_damping_of_a_spring_makes_the_bounciness() -> void:
-	# One bounce of a spring in very small steps, without gravity: C of the speed is left.
+	# After one bounce of a spring in very small steps, without gravity, the share C of the speed is
+	# left.
 	for bounciness: float in [0.8, 0.5, 0.1]:
 		var damping := 2.0 * SpringDrop.damping_share(bounciness)
 		var height := 0.0
@@ -59,7 +60,7 @@ func test_the_damping_of_a_spring_makes_the_bounciness() -> void:
 
 
 func test_a_stiff_spring_in_small_steps_bounces_as_high_as_it_should() -> void:
-	# The top of the first hop: C^2 of 200 px, at 1 + C falls and a contact of 3 ms.
+	# The top of the first hop is at C^2 of 200 px, after 1 + C falls and a contact of 3 ms.
 	var case := Observed.new(1e6, 0.5, 15360)
 	var fall := sqrt(2.0 * DroppedBall.HEIGHT / DroppedBall.GRAVITY)
 	assert_almost_eq(case.height_after(1.5 * fall), 50.0, 1.0)

@@ -1,5 +1,5 @@
 extends LabTest
-## Where a dropped ball is exactly: compared with the hops worked out one by one.
+## Where a dropped ball is exactly, compared with hops that are worked out one by one.
 
 
 func test_it_falls_freely_at_first() -> void:
@@ -27,7 +27,8 @@ func test_the_top_of_the_third_hop_too() -> void:
 
 
 func test_it_lies_still_after_the_sum_of_all_hops() -> void:
-	# 1 + 2 C + 2 C^2 + ... = (1 + C) / (1 - C) falls: 9 for 0.8, 3 for 0.5, 1 for 0.
+	# The hops end after 1 + 2 C + 2 C^2 + ... = (1 + C) / (1 - C) times the first fall: 9 for
+	# C = 0.8, 3 for 0.5, 1 for 0.
 	var fall := sqrt(2.0 * DroppedBall.HEIGHT / DroppedBall.GRAVITY)
 	assert_almost_eq(DroppedBall.rest_time(0.8) / fall, 9.0, 1e-12)
 	assert_almost_eq(DroppedBall.rest_time(0.5) / fall, 3.0, 1e-12)

@@ -1,5 +1,5 @@
 extends LabTest
-## A case keeps its runs, and its result is what can stand in the report.
+## A case keeps its runs, and its result is what the report shows.
 
 
 func test_the_run_time_is_the_median_of_the_runs() -> void:
@@ -93,7 +93,7 @@ func test_no_case_measures_a_world_that_took_nothing() -> void:
 		assert_false(case.result().has_answer())
 
 
-## A ball that touches two lines from between them: infinitely many impacts.
+## A ball between two lines that touches both: infinitely many impacts.
 class _JammedShot:
 	extends Shot
 

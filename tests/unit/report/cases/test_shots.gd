@@ -86,7 +86,7 @@ func test_there_are_as_many_segments_as_said_none_near_the_start_and_all_inside(
 
 
 func test_the_density_stays() -> void:
-	# All but the walls: 80 x 80 px for each.
+	# Each segment but the walls has 80 x 80 px of room.
 	var small := ManySegmentsShot.new(64)
 	var large := ManySegmentsShot.new(1024)
 	assert_almost_eq(large.segments()[0].length() / small.segments()[0].length(), 4.0, 1e-12)

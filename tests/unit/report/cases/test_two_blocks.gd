@@ -1,12 +1,12 @@
 extends LabTest
 ## Digits of pi from two blocks and a wall, and what must be kept on the way.
 
-## For n = 0 to 5.
+## How often blocks with the mass ratio 100^n meet each other and the wall, for n = 0 to 5.
 const DIGITS: Array[int] = [3, 31, 314, 3141, 31415, 314159]
 
 
-## The same blocks, one impact at a time, written for reading: what the loop of
-## [method TwoBlocks.run] is compared with.
+## The same blocks, one impact at a time, written for reading. The loop of [method TwoBlocks.run]
+## is compared with it.
 class ReadableBlocks:
 	var mass_ratio: float
 	var time := 0.0
@@ -66,7 +66,8 @@ func test_a_wrong_energy_would_be_seen() -> void:
 
 func test_the_heavy_block_ends_as_fast_as_the_turned_velocity_says() -> void:
 	for ratio: float in [1.0, 100.0, 777.0]:
-		# With masses scaled away, every impact of the blocks and the wall after it is one turn.
+		# In coordinates times the root of the mass, an impact of the blocks and the next one of
+		# the wall together turn the velocity by 2 atan(1 / sqrt(ratio)).
 		var blocks := _finished(ratio)
 		var meetings := ceilf(blocks.impacts / 2.0)
 		var turned := meetings * 2.0 * atan(1.0 / sqrt(ratio))
@@ -121,13 +122,13 @@ func _finished(ratio: float) -> TwoBlocks:
 	return blocks
 
 
-# With masses scaled away both blocks are one point, which moves straight on when every impact is
-# unfolded: this is its distance from the corner, squared ...
+# In coordinates times the root of the mass, both blocks are one point in a corner. When every
+# impact is unfolded it moves on straight. This is the square of its distance from the corner ...
 func _distance_squared(blocks: TwoBlocks) -> float:
 	return blocks.mass_ratio * blocks.heavy_x ** 2 + blocks.light_x ** 2
 
 
-# ... and this is what it has to be.
+# ... and this is the same on the straight line.
 func _straight_distance_squared(blocks: TwoBlocks) -> float:
 	var heavy := TwoBlocks.HEAVY_START + TwoBlocks.HEAVY_SPEED * blocks.time
 	return blocks.mass_ratio * heavy ** 2 + TwoBlocks.LIGHT_START ** 2

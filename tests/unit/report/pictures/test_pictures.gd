@@ -93,7 +93,7 @@ func test_no_coordinate_of_the_picture_is_not_a_number() -> void:
 
 
 func test_only_points_on_the_frontier_have_a_ring() -> void:
-	# One ring for the fast, one for the exact, one in the legend; none for the beaten.
+	# One ring each for the fast one, the exact one and the legend, none for the beaten one.
 	assert_eq(_picture().count('r="13"'), 3)
 
 

@@ -32,7 +32,7 @@ func test_only_rows_that_are_in_all_reports_are_compared() -> void:
 	assert_eq(RunTimeRatio.of([], [[_row(2.0)]]).size(), 0)
 
 
-func test_the_lab_and_its_baselines_have_medians_of_their_own() -> void:
+func test_the_lab_and_its_baselines_have_separate_medians() -> void:
 	var baselines: Array[Measurement] = [_row(5.0), _row(6.0)]
 	for baseline in baselines:
 		baseline.method = "engine"

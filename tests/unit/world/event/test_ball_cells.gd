@@ -49,7 +49,7 @@ func test_cells_hold_about_one_ball_and_the_largest_ball_fits() -> void:
 	assert_eq(BallCells.size_for(places, radii, is_there), 60.0)
 
 
-# How many balls all lists hold together.
+# The number of balls in all lists together.
 static func _listed(cells: BallCells) -> int:
 	var count := 0
 	for first in cells.first:

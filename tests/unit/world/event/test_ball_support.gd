@@ -1,5 +1,5 @@
 extends LabTest
-## Balls that lie, slide, roll over an end or lie on each other: nothing sinks in, nothing hangs.
+## Balls that lie, slide, roll over an end or lie on each other: no ball sinks in, no step hangs.
 
 const GRAVITY := 500.0
 
@@ -61,7 +61,7 @@ func test_a_slow_ball_rolls_over_the_end_of_a_segment() -> void:
 	assert_gt(distances.size(), 100)
 	assert_all_at_most(distances, CapRolls.OFF_CIRCLE)
 	assert_all_at_most(energies, 1e-6)
-	# It leaves where it is no longer pressed on the end: cos a = (v0^2 / (g R) + 2) / 3.
+	# It leaves where gravity no longer presses it on the end: cos a = (v0^2 / (g R) + 2) / 3.
 	var leave := world.events[-1]
 	assert_eq(leave.kind, WorldEvent.Kind.LEAVE)
 	assert_almost_eq(-leave.normal.y, (20.0 * 20.0 / (GRAVITY * 10.0) + 2.0) / 3.0, 1e-9)
@@ -69,7 +69,7 @@ func test_a_slow_ball_rolls_over_the_end_of_a_segment() -> void:
 
 
 func test_a_fast_ball_flies_off_the_end_of_a_segment() -> void:
-	# 80^2 / 10 px/s^2 are more than gravity.
+	# Following the round end would take 80^2 / 10 = 640 px/s^2, and gravity is 500 px/s^2.
 	var world := _falling([Vector4(-200, 0, 0, 0)], [_ball(-40, -10, 80, 0)], 0.5)
 	assert_no_refusal(world.advance(1.0))
 	assert_vec2(world.position(0), Vec2.new(40, -10.0 + GRAVITY / 8.0), 1e-9)

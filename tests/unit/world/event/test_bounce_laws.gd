@@ -1,5 +1,6 @@
 extends LabTest
-## What is written out for speed gives the same bits as the readable steps, in random worlds.
+## The laws that are written out for speed give the same bits as the readable steps, in random
+## worlds.
 
 const _ROOM := 400.0
 const _WORLDS := 40
@@ -49,7 +50,7 @@ func test_meetings_of_many_balls() -> void:
 	)
 
 
-# Both worlds are set up by `set_up` in the same way, and looked at after each of some steps.
+# Sets both worlds up alike by `set_up`, and compares them after each of 20 steps.
 func _check(set_up: Callable) -> void:
 	var different: PackedInt32Array = []
 	var impacts := 0

@@ -1,5 +1,5 @@
 extends LabTest
-## Ways over round ends, cut into pieces of a constant acceleration.
+## Paths over round ends, cut into pieces of constant acceleration.
 
 const _RADIUS := 10.0
 const _GRAVITY := 500.0
@@ -25,7 +25,7 @@ func test_every_piece_stays_on_the_circle_and_ends_where_the_slide_is() -> void:
 
 
 func test_a_slow_ball_is_over_the_line_before_its_slide_ends() -> void:
-	# From 30 degrees beyond the end it goes uphill to the line, which is straight below it at the top.
+	# It starts 30 degrees beyond the end and moves uphill. At the top it is right above the end.
 	var x := _RADIUS * sin(PI / 6.0)
 	var y := -_RADIUS * cos(PI / 6.0)
 	var slide := CapSlide.new()

@@ -36,7 +36,7 @@ func test_of_equal_times_the_smaller_index_comes_first() -> void:
 	assert_eq(queue.first, 1)
 
 
-func test_times_that_differ_in_what_they_leave_over_are_told_apart() -> void:
+func test_equal_times_are_told_apart_by_their_low_parts() -> void:
 	var queue := EventQueue.new()
 	queue.resize(4)
 	queue.change(1, 5.0, 1e-17)

@@ -145,7 +145,7 @@ func test_a_snapshot_is_put_back_when_the_cells_have_been_laid_out_anew() -> voi
 		var kept := world.snapshot()
 		assert_no_refusal(world.advance(1.1))
 		var wanted := EventWorlds.numbers(world)
-		# One ball more, which needs larger cells; then only two.
+		# Add a ball that needs larger cells; then leave only two balls.
 		assert_no_refusal(world.add_ball(Ball.new(Vec2.new(60, 60), 50)))
 		assert_no_refusal(world.advance(0.3))
 		if count == 40:
@@ -217,7 +217,7 @@ func test_stepping_to_the_next_event_stops_there() -> void:
 
 
 func test_a_fast_ball_after_a_long_time_is_never_seen_beyond_a_wall() -> void:
-	# A last place of this time is worth 15 px of the way.
+	# The ball moves 15 px in x while this time grows by one unit in its last place.
 	var world := EventWorlds.gas(1, 1)
 	assert_no_refusal(world.change_ball(0, Ball.new(Vec2.new(20, 20), 10)))
 	assert_no_refusal(world.advance(1e8))
@@ -275,7 +275,7 @@ func test_the_short_ways_of_bouncing_agree_with_the_long_ones() -> void:
 		Vector4(0, 0, 500, 40), Vector4(500, 40, 200, 400), Vector4(200, 400, 0, 0)
 	]
 	var ball := Ball.new(Vec2.new(220, 150), 10, Vec2.new(311, -97))
-	# Only a world that tells of its events takes the long way.
+	# A world that keeps its events does not take the short ways.
 	var short := EventWorlds.world(triangle, [ball])
 	var long := EventWorlds.world(triangle, [ball])
 	long.keeps_events = true
@@ -293,8 +293,8 @@ func test_the_short_ways_of_bouncing_agree_with_the_long_ones() -> void:
 	assert_gt(short.impacts, 40)
 
 
-# Where a coordinate is after some seconds between two walls, unfolded: exact to the rounding of the
-# answer, however long the way.
+# Where a coordinate is after some seconds between two walls. The flight is unfolded into a straight
+# line, so that only the answer is rounded, however long the flight.
 static func _unfolded(
 	from: float, velocity: float, seconds: DoubleDouble, low: float, high: float
 ) -> float:

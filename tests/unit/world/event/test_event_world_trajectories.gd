@@ -1,11 +1,13 @@
 extends LabTest
-## Whole flights of the event world, against the reference trajectories worked out with 140 digits.
+## Whole flights of the event world, compared with reference trajectories that were worked out with
+## 140 digits.
 
-## What the end may be off, in units in the last place per unit of relative change in the start.
+## The largest error of an end that is allowed, in multiples of how far a relative change of EPSILON
+## in the start moves that end.
 const _BOUND := 200.0
 
-## From here on a change in the last place of the start moves the end by more than the world is
-## large: no double follows such a flight, and [ExactPath] is the one that does.
+## At this amplification, in pixels, the bound would allow an error of 44 px: doubles cannot follow
+## such a flight. [ExactPath] can.
 const _HOPELESS := 1e15
 
 
@@ -18,7 +20,9 @@ func test_bounces_and_ends_agree_as_far_as_doubles_can_follow() -> void:
 		errors.append(error / (EPSILON * case.amplification))
 	var sorted := errors.duplicate()
 	sorted.sort()
-	gut.p("worst end of %d flights: %s eps of the amplification" % [errors.size(), sorted[-1]])
+	gut.p(
+		"worst end of %d flights: %s EPSILON times the amplification" % [errors.size(), sorted[-1]]
+	)
 	assert_all_at_most(errors, _BOUND)
 
 

@@ -60,7 +60,7 @@ func test_segments_in_one_row_need_few_cells() -> void:
 	assert_lt(grid._first_entry.size(), 4001)
 
 
-# The shots for which both find something else.
+# The shots for which grid and scan find different impacts.
 func _differences(radius: float, pull: Vec2, offset: float = 0.0) -> PackedInt32Array:
 	var grid := SegmentGrid.new()
 	var scan := SegmentScan.new()

@@ -1,5 +1,6 @@
 extends LabTest
-## Tests that the quick rejection of far segments changes nothing: same bits as looking at all.
+## Tests that the quick rejection of far segments changes nothing: the bits are the same as when
+## every segment is looked at.
 
 
 ## The readable way: looks at every segment.

@@ -1,5 +1,6 @@
 extends LabTest
-## Tests of balls among lines, stepped frame by frame: what is kept, what is refused.
+## Tests of balls among lines that are stepped frame by frame: energy, rest, lost balls, stored
+## states.
 
 const FRAME := SteppedWorlds.FRAME
 
@@ -22,8 +23,10 @@ func test_dropping_the_rest_of_the_frame_loses_energy() -> void:
 
 func test_position_reset_gains_energy() -> void:
 	var world := SteppedWorlds.box(1, 5)
-	# Too large to pass a line within a frame.
-	Refusal.push(world.set_balls([Ball.new(Vec2.new(-200.0, -100.0), 20.0, Vec2.new(50.0, 0.0))]))
+	# This ball is too large to pass a line within one frame.
+	assert_no_refusal(
+		world.set_balls([Ball.new(Vec2.new(-200.0, -100.0), 20.0, Vec2.new(50.0, 0.0))])
+	)
 	world.mover = SteppingMethods.mover_of(SteppingMethods.Method.POSITION_RESET)
 	var before := world.energy()
 	SteppedWorlds.run(world, 3600)
@@ -39,7 +42,7 @@ func test_free_flight_is_the_parabola_whatever_the_frame() -> void:
 
 
 func test_a_ball_between_two_walls_is_on_time_after_many_bounces() -> void:
-	# 76 px of room at 60 * 19 px/s: to and fro takes 8 frames.
+	# The centre has 76 px of room and moves 19 px a frame: there and back takes 8 frames.
 	var ball := Ball.new(Vec2.new(-38.0, 0.0), 12.0, Vec2.new(1140.0, 0.0))
 	var world := SteppedWorlds.world([Vector4(-50, -90, -50, 90), Vector4(50, 90, 50, -90)], ball)
 	SteppedWorlds.run(world, 8 * 50 + 2)
@@ -57,19 +60,19 @@ func test_a_thin_line_is_never_passed_however_fast_the_ball() -> void:
 func test_a_ball_comes_to_rest_on_a_level_floor() -> void:
 	var ball := Ball.new(Vec2.new(0.0, -60.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-90, 0, 90, 0)], ball, Vec2.new(0.0, 300.0))
-	Refusal.push(world.surroundings.set_bounciness(0.5))
+	assert_no_refusal(world.surroundings.set_bounciness(0.5))
 	SteppedWorlds.run(world, 600)
 	assert_vec2(world.balls[0].position, Vec2.new(0.0, -10.0), 1e-6)
 	assert_eq(world.balls[0].velocity.length(), 0.0)
 
 
 func test_a_ball_slides_down_a_slope_as_fast_as_gravity_along_it_makes_it() -> void:
-	# A slope of the 3-4-5 triangle: 500 px/s^2 down, 300 along it.
+	# On a slope of the 3-4-5 triangle, 300 of the 500 px/s^2 of gravity act along it.
 	var ball := Ball.new(Vec2.new(-160.0 + 6.0, -120.0 - 8.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-400, -300, 400, 300)], ball, Vec2.new(0.0, 500.0))
-	Refusal.push(world.surroundings.set_bounciness(0.0))
+	assert_no_refusal(world.surroundings.set_bounciness(0.0))
 	SteppedWorlds.run(world, 60)
-	# It starts 1e-14 px off the slope, by rounding, and v^2 = 2 g s makes 3e-6 px/s of that.
+	# Rounding puts its start 1e-14 px off the slope. By v^2 = 2 g s that makes 3e-6 px/s.
 	assert_vec2(world.balls[0].velocity, Vec2.new(240.0, 180.0), 1e-5)
 	assert_vec2(world.balls[0].position, Vec2.new(-154.0 + 120.0, -128.0 + 90.0), 1e-5)
 
@@ -79,7 +82,7 @@ func test_a_ball_wedged_in_a_corner_stays_and_costs_no_bounces() -> void:
 	var world := SteppedWorlds.world(
 		lines, Ball.new(Vec2.new(5.0, -40.0), 10.0), Vec2.new(0.0, 300.0)
 	)
-	Refusal.push(world.surroundings.set_bounciness(0.6))
+	assert_no_refusal(world.surroundings.set_bounciness(0.6))
 	SteppedWorlds.run(world, 900)
 	var place := world.balls[0].position.copy()
 	var bounces := world.bounces
@@ -92,7 +95,7 @@ func test_a_resting_ball_falls_when_gravity_turns() -> void:
 	var ball := Ball.new(Vec2.new(0.0, -10.0), 10.0)
 	var world := SteppedWorlds.world([Vector4(-90, 0, 90, 0)], ball, Vec2.new(0.0, 300.0))
 	SteppedWorlds.run(world, 30)
-	Refusal.push(world.surroundings.set_gravity(Vec2.new(0.0, -300.0)))
+	assert_no_refusal(world.surroundings.set_gravity(Vec2.new(0.0, -300.0)))
 	SteppedWorlds.run(world, 60)
 	assert_vec2(world.balls[0].position, Vec2.new(0.0, -160.0), 1e-6)
 
@@ -138,7 +141,7 @@ func test_a_copy_shares_nothing() -> void:
 	var world := SteppedWorlds.box(2, 4)
 	var before := world.state()
 	var copy := world.copy()
-	Refusal.push(copy.surroundings.set_gravity(Vec2.new(0.0, -900.0)))
+	assert_no_refusal(copy.surroundings.set_gravity(Vec2.new(0.0, -900.0)))
 	SteppedWorlds.run(copy, 60)
 	assert_eq(world.state(), before)
 	assert_vec2(world.surroundings.gravity, Vec2.new(0.0, 300.0), 0.0)
@@ -151,7 +154,7 @@ func test_history_goes_back_ten_seconds_to_the_same_bits() -> void:
 	var first := world.state()
 	for frame: int in 600:
 		history.remember(worlds)
-		Refusal.push(world.step(FRAME))
+		assert_no_refusal(world.step(FRAME))
 	for frame: int in 600:
 		history.go_back(worlds)
 	assert_eq(world.state(), first)

@@ -1,12 +1,12 @@
 extends LabTest
-## Tests of the list of the ways of stepping, and of what stepping in one of them takes along.
+## Tests of the list of the ways of stepping, and of the files that one way needs.
 
 const NeededFiles := preload("res://tools/export/needed_files.gd")
 
 const _FOLDER := "res://scripts/world/stepped/"
 
 
-func test_each_method_has_a_mover_of_its_own() -> void:
+func test_each_method_has_its_own_mover() -> void:
 	var kinds: Dictionary[Script, bool] = {}
 	for method: int in SteppingMethods.Method.size():
 		var mover := SteppingMethods.mover_of(method as SteppingMethods.Method)
