@@ -142,6 +142,21 @@ func test_one_frame_on_turns_a_by_half_a_degree() -> void:
 	assert_almost_eq(_a().angle_degrees() - before, 0.5, 1e-9)
 
 
+func test_the_panel_does_not_jump_while_a_turns() -> void:
+	await student.press(&"lab_pause")
+	_transport().set_process(false)
+	for step: int in [4, 5, 6]:
+		await go_to_step(step)
+		var height := _transport().global_position.y
+		for frame_number: int in 120:
+			_transport().advanced.emit(0.1)
+			await get_tree().process_frame
+			if _transport().global_position.y != height:
+				fail_test("%s at step %d" % [formula_lines(), step + 1])
+				return
+	pass_test("it stays where it is")
+
+
 func test_huge_numbers_fit_into_the_panel_at_every_size() -> void:
 	await click_button("Huge")
 	for size: Vector2i in [Vector2i(1280, 720), Vector2i(800, 600), Vector2i(720, 1280)]:
