@@ -59,7 +59,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		],
 		not_shown = ["n̂"],
 	},
-	&"reflection": {words = ["is not 1: refused.", "stays"]},
+	&"reflection": {words = ["is not 1: refused.", "stays", "mistake:"]},
 	&"line_ends":
 	{
 		words =
