@@ -38,12 +38,12 @@ USES = {
     "point_of_impact": Use((452, 551), r"t = 0\.5, within", r"t = 0\.4\d*, within", (452, 626)),
     # The tip of v, from (3, 4) to (4, 4).
     "reflection": Use((533, 532), r"reflect\(n, C\): \(3, −4\)", r"reflect\(n, C\): \(4, −4\)", (568, 532)),
-    # Play.
-    "angled_lines": Use((1018, 122), r"^Frame 0 =", r"^Frame [1-9]\d* ="),
+    # The next step: before it the lesson asks.
+    "angled_lines": Use((1245, 153), r"^Drag on the board to draw a line", r"at its next touch\?"),
     # The situation "Miss".
     "line_ends": Use((1145, 500), r"^bounces on the end", r"D < 0: no root"),
     # The first component of a, from 4 to 2.
     "more_dimensions": Use((476, 172), r"a · b: 18,", r"a · b: 14,", (476, 210)),
     # Stop: it measures by itself.
-    "error_and_time": Use((921, 122), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
+    "error_and_time": Use((918, 232), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
 }
