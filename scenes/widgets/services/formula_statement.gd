@@ -24,7 +24,9 @@ const _LONGEST_TYPED := 10
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
 # A pair; before and after its comma there is at most one level of parentheses.
-const _PAIR := "\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
+const _PAIR := "(?<![a-z2])\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
+# An angle is shown in degrees.
+const _ATAN2 := "atan2("
 # How to spell a side for [Expression], one after the other. Its names are n0, n1, ...
 const _SPELLINGS: Dictionary[String, String] = {
 	"−": "-",
@@ -32,6 +34,7 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"²": "**2.0",
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
+	"atan2\\(": "180 / PI * atan2(",
 	"\\|([^|]*)\\|": "abs($1)",
 	"cos (n\\d+)°": "cos(deg_to_rad($1))",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
