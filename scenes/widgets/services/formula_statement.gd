@@ -145,7 +145,7 @@ func _lone_number(side: String) -> int:
 
 func _names_in(side: String) -> PackedInt32Array:
 	var places: PackedInt32Array = []
-	for found in RegEx.create_from_string("n(\\d+)").search_all(side):
+	for found in RegEx.create_from_string("\\bn(\\d+)").search_all(side):
 		places.append(found.get_string(1).to_int())
 	return places
 
