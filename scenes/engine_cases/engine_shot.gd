@@ -1,8 +1,9 @@
 class_name EngineShot
 extends RefCounted
-## A ball's flight by the engine's own CharacterBody2D, frame by frame as in Godot's documentation:
-## gravity for one frame, then move_and_collide, with the rest of the motion bounced and used. All
-## positions are kept, so that any frame can be asked for again.
+## A ball's flight by the engine's own CharacterBody2D, frame by frame: half of the frame's gravity,
+## then move_and_collide, with the rest of the motion bounced and used, then the other half. So it
+## flies on the exact parabola, and only its bounces can part it from our ball. All positions are
+## kept, so that any frame can be asked for again.
 
 # A frame of the course, in seconds.
 const _FRAME := 1.0 / 60.0
@@ -42,7 +43,7 @@ func finish() -> void:
 
 
 func _step() -> void:
-	_velocity += _gravity * _FRAME
+	_velocity += _gravity * (_FRAME / 2.0)
 	var collision := _body.move_and_collide(_velocity * _FRAME)
 	var contacts := 0
 	while collision and contacts < EngineSpace.MOST_CONTACTS:
@@ -50,6 +51,7 @@ func _step() -> void:
 		_velocity = _bounced(_velocity, normal)
 		contacts += 1
 		collision = _body.move_and_collide(_bounced(collision.get_remainder(), normal))
+	_velocity += _gravity * (_FRAME / 2.0)
 	_places.append(Vec2.from_vector2(_body.position))
 
 

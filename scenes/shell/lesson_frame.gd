@@ -137,6 +137,8 @@ func _input(event: InputEvent) -> void:
 		var touch := event as InputEventScreenTouch
 		if touch and touch.index > 0 or _is_action(event):
 			_end_drags()
+	if event is InputEventMouseButton and not event.is_pressed():
+		_release_button.call_deferred()
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
@@ -148,6 +150,12 @@ func _unhandled_key_input(event: InputEvent) -> void:
 	var focused := get_viewport().gui_get_focus_owner()
 	if event.is_action(&"ui_accept") and focused is BaseButton:
 		get_viewport().set_input_as_handled()
+
+
+# A clicked button would keep the focus, and with it take Space and the arrow keys from the lesson.
+func _release_button() -> void:
+	if get_viewport().gui_get_focus_owner() is BaseButton:
+		get_viewport().gui_release_focus()
 
 
 func _notification(what: int) -> void:
@@ -294,7 +302,8 @@ func _offer_way_back() -> void:
 		_help_actions.push_front(&"lab_back")
 
 
-# A refusal lies on the board; good news, which looks otherwise, beside it: there it hides no verdict.
+# A refusal lies on the board. Good news looks otherwise and lies beside it: there it hides no
+# verdict.
 func _show_notice(message: String, is_news: bool = false) -> void:
 	_notice.text = message
 	_notice_place.visible = message != ""

@@ -1,11 +1,17 @@
 """The page around a demo: what it says when something is missing, its keys, its use by touch on a phone."""
 
+import threading
+
 import pytest
 
 from conftest import WITHOUT_WEBGL, start_browser
-from demo_page import DemoPage
+from demo_page import START_MS, DemoPage
+from server import open_server
 
 PHONE = {"viewport": {"width": 390, "height": 844}, "device_scale_factor": 2, "has_touch": True, "is_mobile": True}
+
+# Where the tip of a is at the start.
+TIP_ON_PHONE = (339, 288)
 
 
 @pytest.fixture
@@ -63,6 +69,107 @@ def test_the_keys_of_the_page_and_of_the_lesson(demo):
     assert not demo.page.get_by_text("leaves the lesson").is_visible()
     demo.page.keyboard.press("F6")
     assert demo.page.evaluate("document.activeElement.id") == "canvas"
+
+
+def test_f6_leads_out_of_a_number_field_too(demo):
+    demo.start("dot_product")
+    demo.click(927, 203)
+    # The engine puts an element of its own over the field.
+    demo.page.wait_for_function("document.activeElement.isContentEditable")
+    demo.page.keyboard.press("F6")
+    # Nor does the engine take the focus back a few frames later.
+    for _ in range(5):
+        assert demo.page.evaluate("document.activeElement.href ?? ''").endswith("/index.html")
+        demo.page.wait_for_timeout(100)
+    demo.page.keyboard.press("F6")
+    demo.page.wait_for_function("document.querySelector('main').contains(document.activeElement)")
+
+
+def test_a_link_is_copied_and_the_page_says_so(browser, site):
+    context = browser.new_context(permissions=["clipboard-read", "clipboard-write"])
+    page = DemoPage(context.new_page(), site)
+    page.start("dot_product", "#dot_product?a=3,1")
+    page.read(r"^dot product: 1\.8,")
+    page.click(400, 600)
+    page.page.keyboard.press("l")
+    page.page.get_by_text("Link copied").wait_for()
+    assert "#dot_product?a=" in page.page.evaluate("navigator.clipboard.readText()")
+    page.close()
+    context.close()
+
+
+def test_where_copying_is_refused_the_link_can_be_marked_and_nothing_false_is_said(demo):
+    demo.start("dot_product", "#dot_product?a=3,1")
+    demo.page.evaluate("navigator.clipboard.writeText = () => Promise.reject(); document.execCommand = () => false")
+    demo.page.locator("canvas").focus()
+    demo.page.keyboard.press("l")
+    link = demo.page.get_by_label("copy it yourself")
+    link.wait_for()
+    assert link.input_value().endswith("#dot_product?a=3,1")
+    assert demo.page.evaluate("getSelection().toString() || document.activeElement.selectionEnd") != 0
+    assert demo.page.locator("#news").inner_text() == ""
+    assert "copied" not in demo.text()
+    demo.page.keyboard.press("Escape")
+    assert link.is_hidden()
+    assert demo.page.evaluate("document.activeElement.id") == "canvas"
+
+
+def test_in_the_frame_of_another_site_without_the_right_to_copy_nothing_false_is_said(demo, tmp_path):
+    (tmp_path / "host.html").write_text(f"<iframe src='{demo.site}/dot_product/index.html' width=1200 height=650></iframe>")
+    host = open_server(tmp_path, 0)
+    threading.Thread(target=host.serve_forever, daemon=True).start()
+    demo.page.goto(f"http://127.0.0.1:{host.server_port}/host.html")
+    lesson = demo.page.frames[-1]
+    lesson.wait_for_function("document.documentElement.dataset.firstFrame", timeout=START_MS)
+    assert not lesson.evaluate("document.featurePolicy.allowsFeature('clipboard-write')")
+    lesson.locator("canvas").focus()
+    demo.page.keyboard.press("l")
+    # Copied in the older way, or shown so that it can be copied: either is true.
+    lesson.wait_for_selector("#news:not(:empty), #uncopied:not([hidden])")
+    assert lesson.evaluate("(part('news').textContent === '') === !part('uncopied').hidden")
+    host.shutdown()
+    demo.complaints.clear()
+
+
+class Fingers:
+    """Touches as a phone sends them, any number at once."""
+
+    def __init__(self, page):
+        self.session = page.context.new_cdp_session(page)
+
+    def send(self, kind, *places):
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        self.session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+
+def test_one_finger_drags_and_two_zoom_the_page_and_drag_nothing(phone):
+    phone.start("dot_product")
+    phone.read(r"^dot product: 5,")
+    before = phone.text().splitlines()
+    fingers = Fingers(phone.page)
+    # The tip of a, then another finger beside it; both move apart.
+    fingers.send("touchStart", TIP_ON_PHONE)
+    fingers.send("touchStart", TIP_ON_PHONE, (120, 300))
+    for way in range(0, 90, 10):
+        fingers.send("touchMove", (TIP_ON_PHONE[0] + way, TIP_ON_PHONE[1] + way), (120 - way, 300 - way))
+    fingers.send("touchEnd")
+    phone.page.wait_for_timeout(500)
+    assert [line for line in phone.text().splitlines() if " ns" not in line] == [line for line in before if " ns" not in line]
+    assert phone.page.evaluate("visualViewport.scale") > 1.2
+
+
+def test_after_two_fingers_one_drags_again(phone):
+    phone.start("dot_product")
+    fingers = Fingers(phone.page)
+    fingers.send("touchStart", (100, 300))
+    fingers.send("touchStart", (100, 300), (200, 300))
+    fingers.send("touchEnd", (100, 300))
+    fingers.send("touchEnd")
+    fingers.send("touchStart", TIP_ON_PHONE)
+    for way in range(0, 60, 10):
+        fingers.send("touchMove", (TIP_ON_PHONE[0] - way, TIP_ON_PHONE[1]))
+    fingers.send("touchEnd")
+    phone.read(r"a = \((?!7)")
 
 
 def test_on_a_phone_the_lesson_fills_the_page_and_is_used_by_touch(phone):

@@ -16,6 +16,15 @@ func test_space_on_a_focused_button_presses_it_and_no_more() -> void:
 		screen().free()
 
 
+func test_after_a_click_on_a_button_space_is_slow_motion_again() -> void:
+	for lesson: LessonInfo in _with(&"transport"):
+		await open_lesson(lesson)
+		await click_button("Play or pause")
+		await student.press_key(KEY_SPACE)
+		assert_true(Screen.button(screen(), "Slow motion").button_pressed, lesson.id)
+		screen().free()
+
+
 func test_space_on_the_title_of_the_question_unfolds_it_and_no_more() -> void:
 	await open_lesson(LessonIndex.find(&"dot_product"))
 	var question := frame().lesson.services[&"question"] as FoldableContainer

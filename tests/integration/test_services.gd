@@ -12,20 +12,13 @@ class ShownExercise:
 		return {"a": 3.0}
 
 
-func test_steps_open_at_the_last_one() -> void:
+func test_steps_open_at_the_first_one() -> void:
 	var steps := _added("steps") as Steps
 	steps.tell(["one", "two", "three"])
-	assert_eq(steps.step, 2)
+	assert_eq(steps.step, 0)
 	steps.go_to(1)
 	steps.tell(["one", "two", "three", "four"])
 	assert_eq(steps.step, 1, "new sentences keep the step")
-
-
-func test_steps_open_where_the_lesson_wants_them() -> void:
-	var steps := _added("steps") as Steps
-	steps.open_at(0)
-	steps.tell(["one", "two", "three"])
-	assert_eq(steps.step, 0)
 
 
 func test_a_preset_is_picked_with_what_it_changes() -> void:

@@ -6,7 +6,7 @@ const START_SCREEN := "res://scenes/shell/start_screen.tscn"
 const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
 const _USUAL_SIZE := Vector2i(1280, 720)
 
-## Sits at the window; fresh for each test.
+## Acts on the window; a new one for each test.
 var student: Student
 
 
@@ -48,6 +48,12 @@ func open_lesson(lesson: LessonInfo) -> void:
 	var new_frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	new_frame.lesson_info = lesson
 	await _open(new_frame)
+
+
+## Goes forward to a step of the lesson, counted from 0; else to the last one. Answers no question.
+func go_to_step(step: int = 1000) -> void:
+	(frame().lesson.services[&"steps"] as Steps).go_to(step)
+	await student.settle()
 
 
 ## The lesson frame that is open now; null on the start screen.

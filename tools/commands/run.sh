@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # Opens the lab, or one lesson. Without a display it draws them into build/pictures/ instead.
-# Usage: tools/commands/run.sh [LESSON]
+# Usage: tools/commands/run.sh [LESSON [OPTION...]]   (options for pictures: see tools/draw/draw.sh)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
-[ $# -le 1 ] || die 2 "usage: ./lab run [LESSON]"
 prepare_project
 ids=$(lesson_ids)
 # The smallest lesson is not in the index.
-if [ $# -eq 1 ] && ! grep -qxF -- "$1" <<<"$ids"$'\nsmallest_lesson'; then
+if [ $# -ge 1 ] && ! grep -qxF -- "$1" <<<"$ids"$'\nsmallest_lesson'; then
 	die 2 "there is no lesson '$1'; there are: ${ids//$'\n'/, }"
 fi
 
@@ -18,8 +17,8 @@ if has_display; then
 	exec "$godot" --path "$LAB_ROOT" ${1:+-- "--lesson=$1"}
 fi
 say "there is no display: drawing into build/pictures/"
-if [ $# -eq 1 ]; then
-	"$LAB_ROOT/tools/draw/draw.sh" "$godot" "$1"
+if [ $# -ge 1 ]; then
+	"$LAB_ROOT/tools/draw/draw.sh" "$godot" "${@:2}" "$1"
 else
 	# shellcheck disable=SC2086 # one word for each id
 	"$LAB_ROOT/tools/draw/draw.sh" "$godot" start_screen $ids

@@ -1,21 +1,33 @@
 #!/usr/bin/env bash
 # Draws lessons into build/pictures/, wide and tall, a line each; fails when a picture is blank or Godot printed an
-# error or a warning. Usage: tools/draw/draw.sh GODOT NAME...   (NAME: a lesson's id, or start_screen)
+# error or a warning. Usage: tools/draw/draw.sh GODOT [OPTION...] NAME...   (NAME: a lesson's id, or start_screen)
+# Options: --opening lets a lesson move as it does when it is opened; --press=ACTION[*TIMES],... presses keys first, such as
+# --press=lab_next_step*2; --size=WIDTHxHEIGHT draws at this size only.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 # shellcheck source-path=SCRIPTDIR source=screen.sh
 . "$(dirname "$0")/screen.sh"
 
-[ $# -ge 2 ] || die 2 "usage: tools/draw/draw.sh GODOT NAME..."
+[ $# -ge 2 ] || die 2 "usage: tools/draw/draw.sh GODOT [OPTION...] NAME..."
 godot=$1
 shift
+options=()
+size=
+while [[ ${1:-} == --* ]]; do
+	case $1 in
+		--size=*) size=${1#--size=} ;;
+		--opening | --press=*) options+=("$1") ;;
+		*) die 2 "there is no option '$1'; there are --opening, --press=ACTION[*TIMES],... and --size=WIDTHxHEIGHT" ;;
+	esac
+	shift
+done
 pictures=$LAB_BUILD/pictures
 
 # draw NAME FILE SIZE
 draw() {
 	local picture=$pictures/$2.png log=$pictures/$2.log status=0
-	local arguments=("--picture=$picture")
+	local arguments=("--picture=$picture" "${options[@]}")
 	[ "$1" = start_screen ] || arguments+=("--lesson=$1")
 	[ -z "$screen" ] || arguments+=(--check-window)
 	rm -f "$picture"
@@ -38,7 +50,11 @@ trap close_screen EXIT
 has_display || open_screen
 use_drivers_beside_godot
 for name in "$@"; do
-	draw "$name" "$name" 1280x720
-	draw "$name" "${name}_portrait" 720x1280
+	if [ -n "$size" ]; then
+		draw "$name" "${name}_$size" "$size"
+	else
+		draw "$name" "$name" 1280x720
+		draw "$name" "${name}_portrait" 720x1280
+	fi
 done
 exit "$failed"

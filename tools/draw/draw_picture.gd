@@ -2,7 +2,7 @@ extends SceneTree
 ## Starts the lab as a user does, saves what is drawn, and fails when that is blank, or when the
 ## window shows something else after a menu was open over it.
 ## Usage: godot --path . --resolution 1280x720 --fixed-fps 60 -s tools/draw/draw_picture.gd
-## -- --picture=FILE [--lesson=ID] [--check-window]
+## -- --picture=FILE [--lesson=ID] [--check-window] [--opening] [--press=ACTION[*TIMES],...]
 
 ## Half a second: what moves into place has arrived.
 const FRAMES := 30
@@ -10,15 +10,21 @@ const FEWEST_COLORS := 16
 const ARGUMENT := "--picture="
 ## Also look at the window: on a screen on which nothing else is.
 const CHECK_WINDOW := "--check-window"
+## Lets the lesson's opening move; else the picture shows the lesson as it starts.
+const OPENING := "--opening"
+## Presses the keys of these actions first, in turn: `--press=lab_next_step*3,lab_hide_answers`.
+const PRESS := "--press="
 ## What may differ in the window: numbers that change while a lesson works by itself.
 const MOST_DIFFERING := 0.05
 
 
 func _init() -> void:
 	var main_scene: String = ProjectSettings.get_setting("application/run/main_scene")
+	OpeningMotion.is_allowed = OPENING in OS.get_cmdline_user_args()
 	change_scene_to_file(main_scene)
 	for frame: int in FRAMES:
 		await process_frame
+	await _press_all()
 	await RenderingServer.frame_post_draw
 	var picture := root.get_texture().get_image()
 	var colors := _count_colors(picture)
@@ -37,6 +43,24 @@ func _path() -> String:
 		if argument.begins_with(ARGUMENT):
 			return argument.trim_prefix(ARGUMENT)
 	return ""
+
+
+func _press_all() -> void:
+	for argument: String in OS.get_cmdline_user_args():
+		if argument.begins_with(PRESS):
+			for part: String in argument.trim_prefix(PRESS).split(","):
+				for time: int in maxi(part.get_slice("*", 1).to_int(), 1):
+					await _press(part.get_slice("*", 0))
+	for frame: int in FRAMES:
+		await process_frame
+
+
+func _press(action: StringName) -> void:
+	var key := InputMap.action_get_events(action)[0].duplicate() as InputEventKey
+	for is_down: bool in [true, false]:
+		key.pressed = is_down
+		root.push_input(key)
+	await process_frame
 
 
 # Where a processor draws, pictures that do not change stay on the screen: see SoftwareDrawing.

@@ -9,6 +9,7 @@ const _FRAMES_TO_SETTLE := 5
 
 
 func _init() -> void:
+	OpeningMotion.is_allowed = false
 	# The engine sets the window's size in the first frame.
 	await process_frame
 	root.size = Vector2i(1280, 720)

@@ -7,6 +7,7 @@ extends Node2D
 const _LEVEL_LENGTH := 110.0
 
 var _model: EasyBounceModel
+var _step := 0
 var _moved: Ball
 # What both programs make of the moved ball, and whether that is the same.
 var _easy: Ball
@@ -25,6 +26,8 @@ var _are_same := true
 @onready var _straight: DimensionLine = %Straight
 @onready var _shortest: DimensionLine = %Shortest
 @onready var _corner: AngleArc = %Corner
+@onready var _point_l: Arrow = %PointL
+@onready var _from_l: Arrow = %FromL
 @onready var _normal: Arrow = %Normal
 @onready var _easy_arrow: Arrow = %EasyArrow
 @onready var _right_arrow: Arrow = %RightArrow
@@ -34,10 +37,11 @@ var _are_same := true
 ## Draws the frame that [param model] shows, as far as [param step] of [EasyBounceTexts] has got.
 func show_model(model: EasyBounceModel, step: int) -> void:
 	_model = model
+	_step = step
 	_moved = model.moved_ball(model.frame())
 	_easy = model.easy_result(_moved)
 	_right = model.right_result(_moved)
-	_are_same = model.tilt_degrees == 0.0
+	_are_same = model.is_level()
 	_hide_all()
 	_lay_line()
 	_ball.lay(_moved.position, _moved.radius)
@@ -61,6 +65,8 @@ func _hide_all() -> void:
 		part.visible = false
 	for part: Node2D in [_shortest, _corner, _normal, _easy_arrow, _right_arrow]:
 		part.visible = false
+	for part: Node2D in [_point_l, _from_l]:
+		part.visible = false
 
 
 func _lay_line() -> void:
@@ -70,8 +76,10 @@ func _lay_line() -> void:
 	var side := -signf(_model.tilt_degrees)
 	var level := Vec2.unit_degrees(90.0 if _model.is_wall else 180.0).scaled(side)
 	_level.lay(_model.pivot, _model.pivot.plus(level.scaled(_LEVEL_LENGTH)))
-	_level.visible = not _are_same
-	_tilt.measure(_model.pivot, level, line.along().scaled(side))
+	_tilt.measure(_model.pivot, level, _model.along().scaled(side))
+	# Where the difference vector is drawn, the tilt is in its way.
+	_level.visible = not _are_same and _step != EasyBounceTexts.Step.DETECT
+	_tilt.visible = _level.visible
 
 
 func _show_move() -> void:
@@ -95,10 +103,23 @@ func _show_distances() -> void:
 	_straight.visible = true
 	_straight.label = tr("easy %s") % NumberText.short(_model.straight_distance(center))
 	_straight.lay(center, _model.straight_foot(center), beside.negated())
-	_corner.measure(foot, center.minus(foot), _model.line().along())
+	_corner.measure(foot, center.minus(foot), _model.along())
+	_show_difference(center, foot)
+
+
+# The vector from a point L of the line: its part along the normal is the shortest distance.
+func _show_difference(center: Vec2, foot: Vec2) -> void:
+	var start := _model.line().start
+	_point_l.visible = true
+	_point_l.lay(start, start)
+	_from_l.visible = true
+	_from_l.lay(start, center)
+	_from_l.keep_label_from(foot)
 
 
 func _show_put_back() -> void:
+	if not _model.right_detects(_moved):
+		return
 	_show_balls(_easy.position, _right.position)
 	_right_arrow.visible = true
 	_right_arrow.label = "" if _are_same else tr("right")
@@ -114,8 +135,10 @@ func _show_put_back() -> void:
 
 func _show_flip() -> void:
 	var from := _right.position
-	_right_ball.visible = true
+	_right_ball.visible = _model.right_detects(_moved)
 	_right_ball.lay(from, _moved.radius)
+	if not _model.right_reflects(_moved) and not _model.easy_flips(_moved):
+		return
 	_right_arrow.visible = true
 	_right_arrow.label = tr("flipped") if _are_same else tr("right")
 	_right_arrow.label_place = Arrow.LabelPlace.HEAD
@@ -126,7 +149,7 @@ func _show_flip() -> void:
 	_easy_arrow.lay(from, from.plus(_easy.velocity))
 	var foot := _model.shortest_foot(from)
 	_normal.visible = not _are_same
-	_normal.lay(foot, foot.plus(_model.line().normal().scaled(2.0 * _moved.radius)))
+	_normal.lay(foot, foot.plus(_model.normal().scaled(2.0 * _moved.radius)))
 	_normal.keep_label_from(from.plus(_easy.velocity))
 
 

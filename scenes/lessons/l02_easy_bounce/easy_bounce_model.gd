@@ -17,6 +17,8 @@ const FRAMES_BEFORE := 4
 const FRAMES_AFTER := 4
 ## The largest radius of the ball, in pixels.
 const LARGEST_RADIUS := 200.0
+## A difference of at most this share of the numbers that it comes from is rounding.
+const ROUNDING := 1.0 / 2.0 ** 48
 
 ## The ball in frame 0, after its move; pixels, and pixels per frame.
 var ball := Ball.new(Vec2.new(0.0, 4.0), 60.0, Vec2.new(20.0, 48.0))
@@ -32,10 +34,25 @@ var is_wall := false
 var _elapsed := 0.0
 
 
-## The line, with its normal on the side of the ball.
+## The line as it is drawn, with its normal on the side of the ball.
 func line() -> LineSegment:
-	var along := Vec2.unit_degrees((90.0 if is_wall else 180.0) + tilt_degrees).scaled(HALF_LENGTH)
-	return LineSegment.new(pivot.minus(along), pivot.plus(along))
+	var reach := along().scaled(HALF_LENGTH)
+	return LineSegment.new(pivot.minus(reach), pivot.plus(reach))
+
+
+## The unit vector along the line.
+func along() -> Vec2:
+	return Vec2.unit_degrees((90.0 if is_wall else 180.0) + tilt_degrees)
+
+
+## The unit normal of the line, on the side of the ball.
+func normal() -> Vec2:
+	return along().normal()
+
+
+## A floor without tilt, or a wall without: here the easy program is right.
+func is_level() -> bool:
+	return tilt_degrees == 0.0
 
 
 ## Where the easy program sees the line: the y of the floor right below [param point], or the x of
@@ -59,14 +76,30 @@ func straight_foot(point: Vec2) -> Vec2:
 	return Vec2.new(at, point.y) if is_wall else Vec2.new(point.x, at)
 
 
-## The right distance: the shortest one, along the perpendicular; in pixels.
+## The right distance: the shortest one, along the perpendicular, in pixels; negative behind the
+## line.
 func shortest_distance(point: Vec2) -> float:
-	return LineDistance.signed_distance(point, line())
+	return LineDistance.signed_distance(point.minus(pivot), line_at_origin())
+
+
+## The vector to [param point] from L, the start of the line.
+func from_line_start(point: Vec2) -> Vec2:
+	return point.minus(pivot).plus(along().scaled(HALF_LENGTH))
+
+
+## The line with its middle moved to the origin: far away its two ends would be the same point.
+func line_at_origin() -> LineSegment:
+	return LineSegment.new(Vec2.new(), along())
 
 
 ## The foot of the perpendicular from [param point] on the line.
 func shortest_foot(point: Vec2) -> Vec2:
-	return point.minus(line().normal().scaled(shortest_distance(point)))
+	return point.minus(normal().scaled(shortest_distance(point)))
+
+
+## Pixels by which [param moved] has sunk in, along the normal; 0 where it does not touch the line.
+func depth(moved: Ball) -> float:
+	return maxf(moved.radius - shortest_distance(moved.position), 0.0)
 
 
 ## Whether the easy program takes [param moved] for a hit.
@@ -76,19 +109,43 @@ func easy_detects(moved: Ball) -> bool:
 	return AxisBounce.hits_floor(moved, line_at(moved.position))
 
 
-## What the easy program makes of the ball [param moved]: detect, put back, flip. It flips the
-## velocity only where the ball comes towards the line.
+## Whether [param moved] is closer to the line than its radius, or behind it: a hit.
+func right_detects(moved: Ball) -> bool:
+	return shortest_distance(moved.position) < moved.radius
+
+
+## Whether the easy program flips the velocity of [param moved]: in a hit, and only where the ball
+## comes towards a level line.
+func easy_flips(moved: Ball) -> bool:
+	return easy_detects(moved) and (moved.velocity.x if is_wall else moved.velocity.y) > 0.0
+
+
+## Whether the velocity of [param moved] is to be reflected: in a hit, and only where the ball comes
+## towards the line.
+func right_reflects(moved: Ball) -> bool:
+	return right_detects(moved) and Bounce.is_approaching(moved.velocity, normal())
+
+
+## Which component of the velocity changes its sign in the shown frame: 0 for x, 1 for y; -1 where
+## none does, and on a tilted line, where that is not all that changes.
+func flipped_component() -> int:
+	if not is_level() or not right_reflects(moved_ball(frame())):
+		return -1
+	return 0 if is_wall else 1
+
+
+## What the easy program makes of the ball [param moved]: detect, put back, flip.
 func easy_result(moved: Ball) -> Ball:
 	var result := moved.copy()
-	if not easy_detects(moved):
-		return result
-	if is_wall:
-		AxisBounce.put_beside_wall(result, line_at(moved.position))
-		if result.velocity.x > 0.0:
+	if easy_detects(moved):
+		if is_wall:
+			AxisBounce.put_beside_wall(result, line_at(moved.position))
+		else:
+			AxisBounce.put_on_floor(result, line_at(moved.position))
+	if easy_flips(moved):
+		if is_wall:
 			AxisBounce.flip_x(result)
-	else:
-		AxisBounce.put_on_floor(result, line_at(moved.position))
-		if result.velocity.y > 0.0:
+		else:
 			AxisBounce.flip_y(result)
 	return result
 
@@ -96,9 +153,9 @@ func easy_result(moved: Ball) -> Ball:
 ## What the ball [param moved] should become: put back along the normal, velocity reflected.
 func right_result(moved: Ball) -> Ball:
 	var result := moved.copy()
-	if LineDistance.is_overlapping(moved, line()):
-		PositionReset.reset(result, line())
-		Bounce.apply(result.velocity, line().normal())
+	if right_detects(moved):
+		result.position.add(normal().scaled(depth(moved)))
+		Bounce.apply(result.velocity, normal())
 	return result
 
 
@@ -110,10 +167,9 @@ func distance_error(moved: Ball) -> float:
 
 ## Pixels by which [param distance] differs from the exact distance of [param point].
 func exact_error(distance: float, point: Vec2) -> float:
-	var along := line().along()
-	var normal := Vec2.new(-along.y, along.x)
+	var normal_of_any_length := Vec2.new(-along().y, along().x)
 	return ExactProjection.error_of_scalar_projection(
-		distance, LineDistance.difference(point, line()), normal
+		distance, point.minus(pivot), normal_of_any_length
 	)
 
 
@@ -125,6 +181,27 @@ func position_error(moved: Ball) -> float:
 ## Length of the difference of both velocities after the frame, in pixels per frame.
 func velocity_error(moved: Ball) -> float:
 	return easy_result(moved).velocity.distance_to(right_result(moved).velocity)
+
+
+## Pixels between the balls of both programs at the end of this frame.
+func distance_apart(in_frame: int) -> float:
+	var easy := ball_after(in_frame, easy_result)
+	return easy.position.distance_to(ball_after(in_frame, right_result).position)
+
+
+## Whether both programs lead to the same ball in all frames that are shown, but for rounding.
+func agrees() -> bool:
+	for in_frame in range(FRAMES_AFTER + 1):
+		if not is_rounding(distance_apart(in_frame), moved_ball(in_frame)):
+			return false
+	return true
+
+
+## Whether [param difference] is nothing but rounding, as small as it is beside the numbers of
+## [param moved] and the line.
+func is_rounding(difference: float, moved: Ball) -> bool:
+	var sizes := moved.position.length() + moved.velocity.length() + pivot.length() + moved.radius
+	return absf(difference) <= ROUNDING * sizes
 
 
 # The line.
@@ -178,7 +255,7 @@ func take_hold() -> void:
 ## The first frame shown, 0 or below: as far back as the ball flies free.
 func first_frame() -> int:
 	for back in range(1, FRAMES_BEFORE + 1):
-		if LineDistance.is_overlapping(_ball_in_flight(-back), line()):
+		if right_detects(_ball_in_flight(-back)):
 			return 1 - back
 	return -FRAMES_BEFORE
 

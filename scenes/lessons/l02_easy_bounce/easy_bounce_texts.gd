@@ -5,17 +5,34 @@ extends RefCounted
 ## The steps: what a program does in one frame, and all of it.
 enum Step { MOVE, DETECT, PUT_BACK, FLIP, BOUNCE }
 
-
-## One sentence a step, translated.
-static func sentences(model: EasyBounceModel) -> PackedStringArray:
-	if model.tilt_degrees != 0.0:
-		return _sentences_for_tilted()
-	return _sentences_for_wall() if model.is_wall else _sentences_for_floor()
+# A double has no more.
+const _MOST_DIGITS := 17
 
 
-## What is said behind a distance: whether it means a hit.
-static func hit_text(is_hit: bool) -> String:
-	return LabText.translate("< r: hit") if is_hit else "≥ r"
+## One sentence a step, translated, for the ball [param moved] of [param model].
+static func sentences(model: EasyBounceModel, moved: Ball) -> PackedStringArray:
+	return [
+		_move_sentence(model, moved),
+		_detect_sentence(model),
+		_put_back_sentence(model, moved),
+		_flip_sentence(model, moved),
+		_bounce_sentence(model),
+	]
+
+
+## How a distance compares with the radius, and whether that is a hit for the program, with as many
+## digits as tell them apart.
+static func hit_text(distance: float, radius: float, is_hit: bool) -> String:
+	for digits in range(4, _MOST_DIGITS + 1):
+		var texts := [NumberText.short(distance, digits), NumberText.short(radius, digits)]
+		if texts[0] == texts[1]:
+			continue
+		if (distance < radius) != is_hit:
+			return LabText.translate("%s ≈ r = %s: rounding decides") % texts
+		if is_hit:
+			return LabText.translate("%s < r = %s: hit") % texts
+		return LabText.translate("%s > r = %s: no hit") % texts
+	return LabText.translate("%s = r: it just touches") % NumberText.short(distance)
 
 
 ## Whether the velocity matters in [param step]; elsewhere its arrow would only be in the way.
@@ -23,35 +40,51 @@ static func needs_velocity(step: int) -> bool:
 	return step != Step.DETECT and step != Step.PUT_BACK
 
 
-static func _sentences_for_floor() -> PackedStringArray:
-	return [
-		LabText.translate("Move: in each frame the ball moves by v, here into the floor."),
-		LabText.translate("Detect: y alone tells. If floor − y is less than r, it is a hit."),
-		LabText.translate("Put back: only y changes, until the ball just touches the floor."),
-		LabText.translate("Flip: y of v changes its sign, x stays."),
-		LabText.translate(
-			"Right on a level floor. Play it, then tilt the line at one of its ends!"
-		),
-	]
+static func _move_sentence(model: EasyBounceModel, moved: Ball) -> String:
+	if not model.right_detects(moved):
+		return LabText.translate("Move: each frame adds v to P. Here the ball stays off the line.")
+	if model.shortest_distance(moved.position) <= -moved.radius:
+		return LabText.translate("Move: each frame adds v to P. Now the ball is behind the line.")
+	return LabText.translate("Move: each frame adds v to P. Now the ball overlaps the line.")
 
 
-static func _sentences_for_wall() -> PackedStringArray:
-	return [
-		LabText.translate("Move: in each frame the ball moves by v, here into the wall."),
-		LabText.translate("Detect: x alone tells. If wall − x is less than r, it is a hit."),
-		LabText.translate("Put back: only x changes, until the ball just touches the wall."),
-		LabText.translate("Flip: x of v changes its sign, y stays."),
-		LabText.translate(
-			"Right on an upright wall. Play it, then tilt the line at one of its ends!"
-		),
-	]
+static func _detect_sentence(model: EasyBounceModel) -> String:
+	if not model.is_level():
+		return LabText.translate(
+			"Detect: on a tilted line the shortest way counts, along the perpendicular."
+		)
+	if model.is_wall:
+		return LabText.translate("Detect: x is enough. If wall − x is less than r, it is a hit.")
+	return LabText.translate("Detect: y is enough. If floor − y is less than r, it is a hit.")
 
 
-static func _sentences_for_tilted() -> PackedStringArray:
-	return [
-		LabText.translate("Move: in each frame the ball moves by v, here into a tilted line."),
-		LabText.translate("Wrong distance: the shortest one counts, along the perpendicular."),
-		LabText.translate("Put back the wrong way: it has to be along the normal."),
-		LabText.translate("Flipped the wrong way: the velocity is reflected at the line."),
-		LabText.translate("The easy ball goes astray. Play both, or go frame by frame."),
-	]
+static func _put_back_sentence(model: EasyBounceModel, moved: Ball) -> String:
+	if not model.right_detects(moved):
+		return LabText.translate("Put back: only after a hit. Here the ball does not hit.")
+	if not model.is_level():
+		return LabText.translate(
+			"Put back: along the normal n̂, until the ball just touches the line."
+		)
+	if model.is_wall:
+		return LabText.translate("Put back: change only x, until the ball just touches the wall.")
+	return LabText.translate("Put back: change only y, until the ball just touches the floor.")
+
+
+static func _flip_sentence(model: EasyBounceModel, moved: Ball) -> String:
+	if not model.right_detects(moved):
+		return LabText.translate("Flip: only after a hit. Here the ball does not hit.")
+	if not model.right_reflects(moved):
+		return LabText.translate("Flip: only where v points into the line. Here v stays.")
+	if not model.is_level():
+		return LabText.translate("Flip: only v's part along the normal n̂ changes its sign.")
+	if model.is_wall:
+		return LabText.translate("Flip: x of v changes its sign, y stays.")
+	return LabText.translate("Flip: y of v changes its sign, x stays.")
+
+
+static func _bounce_sentence(model: EasyBounceModel) -> String:
+	if model.is_level():
+		return LabText.translate("Play it, frame by frame. Then tilt the line at one of its ends!")
+	if model.agrees():
+		return LabText.translate("Here both programs do the same. Move the ball, or tilt the line.")
+	return LabText.translate("Play it, frame by frame: the easy ball goes astray.")

@@ -1,57 +1,128 @@
 class_name EasyBounceVerdict
 extends VerdictCard
 ## Says whether the shown step of the easy program is right for the ball as it is, and how far
-## off it is.
+## off it is. It comes with the first step that can be wrong.
+
+# A difference of velocities of at most this share of the velocity is rounding.
+const _ROUNDING := 1e-14
+
+var _model: EasyBounceModel
+var _moved: Ball
 
 
 ## Shows the words for the ball [param moved] of [param model] at [param step] of
 ## [EasyBounceTexts].
 func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
-	var words := _words_for(model, moved, step)
-	if model.tilt_degrees == 0.0:
-		show_verdict("✓", Palette.Role.RIGHT, words)
-	else:
-		show_verdict("✗", Palette.Role.WRONG, words)
-	_keep_from_line(model)
+	_model = model
+	_moved = moved
+	visible = step != EasyBounceTexts.Step.MOVE
+	match step:
+		EasyBounceTexts.Step.DETECT:
+			_judge_distance()
+		EasyBounceTexts.Step.PUT_BACK:
+			_judge_place()
+		EasyBounceTexts.Step.FLIP:
+			_judge_velocity()
+		EasyBounceTexts.Step.BOUNCE:
+			_judge_bounce()
+	_keep_from_line()
 
 
 # Moves to the corner into which neither the line nor the balls reach.
-func _keep_from_line(model: EasyBounceModel) -> void:
+func _keep_from_line() -> void:
 	var corner := Control.PRESET_BOTTOM_RIGHT
-	if model.is_wall and model.tilt_degrees < 0.0:
+	if _model.is_wall and _model.tilt_degrees < 0.0:
 		corner = Control.PRESET_TOP_RIGHT
-	elif not model.is_wall and model.tilt_degrees > 0.0:
+	elif not _model.is_wall and _model.tilt_degrees > 0.0:
 		corner = Control.PRESET_BOTTOM_LEFT
 	stand_in(corner)
 
 
-func _words_for(model: EasyBounceModel, moved: Ball, step: int) -> PackedStringArray:
-	if model.tilt_degrees == 0.0:
-		return [tr("The easy way is right:"), tr("error 0 in all three steps")]
-	match step:
-		EasyBounceTexts.Step.DETECT:
-			return _two(
-				tr("Straight is not shortest:"), tr("%s px too far"), model.distance_error(moved)
-			)
-		EasyBounceTexts.Step.PUT_BACK:
-			return _put_back_words(model, moved)
-		EasyBounceTexts.Step.FLIP:
-			return _two(
-				tr("Flipped is not reflected:"),
-				tr("%s px per frame off"),
-				model.velocity_error(moved)
-			)
-	return [tr("A tilted line:"), tr("each of the three steps is wrong")]
+func _judge_distance() -> void:
+	var error := absf(_model.distance_error(_moved))
+	if _model.is_level():
+		_say_right(tr("straight is the shortest way"))
+	elif _model.is_rounding(error, _moved):
+		_say("=", [tr("Here both distances"), tr("are the same")])
+	elif _model.right_detects(_moved) and not _model.easy_detects(_moved):
+		_say_wrong(_missed(), tr("its distance is %s px too long"), error)
+	else:
+		_say_wrong(tr("Straight is not shortest:"), tr("%s px too far"), error)
 
 
-func _put_back_words(model: EasyBounceModel, moved: Ball) -> PackedStringArray:
-	var easy := model.easy_result(moved)
-	var overlap := -LineDistance.gap(easy, model.line())
-	var first := tr("Put back %s px off") % NumberText.short(model.position_error(moved), 3)
-	if overlap > 1e-9:
-		return [first, tr("and still %s px deep") % NumberText.short(overlap, 3)]
-	return [first, ""]
+func _judge_place() -> void:
+	var error := _model.position_error(_moved)
+	if not _model.right_detects(_moved):
+		_say("0", [tr("No hit:"), tr("nothing to put back")])
+	elif _model.is_level():
+		_say_right(tr("straight is along the normal"))
+	elif _model.is_rounding(error, _moved):
+		_say("=", [tr("Here both places"), tr("are the same")])
+	elif not _model.easy_detects(_moved):
+		_say_wrong(_missed(), tr("the ball stays %s px deep"), _model.depth(_moved))
+	else:
+		_say_wrong_place(error)
 
 
-func _two(first: String, second: String, number: float) -> PackedStringArray:
-	return [first, second % NumberText.short(number, 3)]
+func _say_wrong_place(error: float) -> void:
+	var first := tr("Put back %s px off") % NumberText.short(error, 3)
+	var depth := _model.depth(_model.easy_result(_moved))
+	if _model.is_rounding(depth, _moved):
+		_say("✗", [first], Palette.Role.WRONG)
+	else:
+		_say_wrong(first, tr("and still %s px deep"), depth)
+
+
+func _judge_velocity() -> void:
+	var error := _model.velocity_error(_moved)
+	if not _model.right_detects(_moved):
+		_say("0", [tr("No hit:"), tr("v stays")])
+	elif not _model.right_reflects(_moved) and not _model.easy_flips(_moved):
+		_say("0", [tr("v stays:"), tr("it does not point into the line")])
+	elif _model.is_level():
+		_say_right(tr("its sign is all that changes"))
+	elif error <= _ROUNDING * _moved.velocity.length():
+		_say("=", [tr("Here flipped and reflected"), tr("are the same")])
+	else:
+		_say_wrong(_wrong_flip(), tr("%s px per frame off"), error)
+
+
+# Why the velocity is wrong, where exactly one program changes it, or both do.
+func _wrong_flip() -> String:
+	if not _model.easy_detects(_moved):
+		return _missed()
+	if not _model.easy_flips(_moved):
+		return tr("v points into the line, yet it stays:")
+	if not _model.right_reflects(_moved):
+		return tr("v does not point into the line, yet it flips:")
+	return tr("Flipped is not reflected:")
+
+
+func _judge_bounce() -> void:
+	var in_frame := _model.frame()
+	var apart := _model.distance_apart(in_frame)
+	if _model.is_level():
+		_say("✓", [tr("The easy way is right"), tr("in all three steps")], Palette.Role.RIGHT)
+	elif _model.is_rounding(apart, _moved):
+		_say("=", [tr("Frame %d:") % in_frame, tr("both balls are in one place")])
+	else:
+		_say_wrong(tr("Frame %d:") % in_frame, tr("the easy ball is %s px off"), apart)
+
+
+func _missed() -> String:
+	return tr("The easy way misses the hit:")
+
+
+func _say_right(why: String) -> void:
+	var where := tr("Right on an upright line:") if _model.is_wall else tr("Right on a level line:")
+	_say("✓", [where, why], Palette.Role.RIGHT)
+
+
+func _say_wrong(first: String, second: String, number: float) -> void:
+	_say("✗", [first, second % NumberText.short(number, 3)], Palette.Role.WRONG)
+
+
+func _say(
+	sign_text: String, words: PackedStringArray, role: Palette.Role = Palette.Role.QUIET
+) -> void:
+	show_verdict(sign_text, role, words)

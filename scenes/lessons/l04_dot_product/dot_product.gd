@@ -4,6 +4,9 @@ extends Lesson
 
 ## The sweep turns the shadowed vector this fast, in degrees a second.
 const _SWEEP_SPEED := 30.0
+## The opening swings a so far to both sides, in degrees, and so often in 20 seconds.
+const _SWING := 30.0
+const _SWINGS := 2.0
 
 var _model := DotProductModel.new()
 var _formula: DotProductFormula
@@ -35,6 +38,19 @@ func start() -> void:
 	(services[&"question"] as Question).offer(ProjectionExercise.fresh, kinds, 1)
 	on_pick(_model.take)
 	begin(_model, _show, _model.ends)
+	open_with(_swing.bind(_model.a()))
+
+
+# What moves by itself.
+
+
+# To hundredths, so that the numbers beside it stay short.
+func _swing(seconds: float, first: Vec2) -> void:
+	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var swung := first.copy()
+	swung.rotate_degrees(_SWING * share)
+	var head := _model.a_tail.plus(swung)
+	_model.a_head.set_xy(snappedf(head.x, 0.01), snappedf(head.y, 0.01))
 
 
 # What the student does.
@@ -74,35 +90,68 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 
 func _show() -> void:
+	ask_before(DotProductTexts.Step.SCALAR, DotProductTexts.question(_model), _truth, _first_guess)
 	tell_steps(DotProductTexts.sentences(_model))
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
+	_formula.show_model(_model, step, (services[&"transport"] as Transport).is_playing)
 	_show_verdict()
 	_show_plot()
 	_show_calls()
 
 
+# Where the shadow ends; null where there is none.
+func _truth() -> Vec2:
+	var has_shadow := _model.onto().length() > 0.0 and _model.shadowed().length() > 0.0
+	return _model.foot(_model.shadowed_head()) if has_shadow else null
+
+
+func _first_guess() -> Vec2:
+	return _model.a_head.lerped(_model.b_head, 0.5)
+
+
 # With the course's ball: green ahead, red behind.
 func _show_verdict() -> void:
+	_verdict.visible = step >= DotProductTexts.Step.SCALAR
 	var roles: Array[Palette.Role] = [Palette.Role.WRONG, Palette.Role.QUIET, Palette.Role.RIGHT]
+	var role := roles[_model.side() + 1]
 	var sign_text: String = [NumberText.MINUS, "0", "+"][_model.side() + 1]
-	_verdict.show_verdict(sign_text, roles[_model.side() + 1], DotProductTexts.verdict(_model))
+	if _model.is_wrong():
+		role = Palette.Role.WRONG
+		sign_text = "✗"
+	_verdict.show_verdict(sign_text, role, DotProductTexts.verdict(_model))
 
 
 func _show_plot() -> void:
+	var has_angle := _model.a().length() > 0.0 and _model.b().length() > 0.0
+	_plot.visible = has_angle and step >= DotProductTexts.Step.ANGLE
 	var reach := _model.a().length() * _model.b().length()
 	var product := func(degrees: float) -> float: return reach * cos(Vec2.deg_to_rad(degrees))
 	_plot.show_function(product, reach, _model.signed_angle_degrees())
 
 
 func _show_calls() -> void:
+	_readout.visible = step == DotProductTexts.Step.PRIMITIVE
+	if not _readout.visible:
+		return
 	var shadowed := _model.shadowed()
 	var onto := _model.onto()
 	var by_dot := shadowed.scalar_projection.bind(onto)
 	if not _model.normalizes:
 		by_dot = shadowed.dot.bind(onto)
-	_show_call("dot", tr("dot product"), by_dot)
-	_show_call("primitive", tr("atan2 and cos"), PrimitiveProjection.scalar.bind(shadowed, onto))
+	var what := (
+		"%s · %s"
+		% [
+			DotProductTexts.shadowed_symbol(_model),
+			(
+				DotProductTexts.unit_symbol(_model)
+				if _model.normalizes
+				else DotProductTexts.onto_symbol(_model)
+			)
+		]
+	)
+	_show_call("dot", tr("%s by the dot product") % what, by_dot)
+	var primitive := PrimitiveProjection.scalar.bind(shadowed, onto)
+	_show_call("primitive", tr("by atan2 and cos"), primitive)
 
 
 func _show_call(key: String, title: String, method: Callable) -> void:

@@ -12,21 +12,35 @@ extends Node2D
 @onready var _head_drop: Arrow = %HeadDrop
 @onready var _angle: AngleArc = %Angle
 @onready var _right_angle: AngleArc = %RightAngle
+@onready var _alpha: AngleArc = %Alpha
+@onready var _beta: AngleArc = %Beta
 
 
 ## Draws [param model] as far as [param step], counted from 0, has got.
 func show_model(model: DotProductModel, step: int) -> void:
 	_a.lay(model.a_tail, model.a_head)
 	_b.lay(model.b_tail, model.b_head)
-	_angle.measure(model.onto_tail(), model.onto(), model.shadowed())
 	_lay_shadow(model)
 	_lay_rejection(model)
-	_unit.visible = step >= 1 and model.normalizes
-	_tail_drop.visible = step >= 2
-	_head_drop.visible = step >= 2
-	_projection.visible = step >= 3
-	_rejection.visible = step >= 4 and model.normalizes and model.rejection().length() > 0.0
+	_lay_angles(model)
+	var has_shadow := model.onto().length() > 0.0
+	var is_rest_shown := step == DotProductTexts.Step.REJECTION and model.normalizes
+	_unit.visible = has_shadow and step >= DotProductTexts.Step.UNIT and model.normalizes
+	_tail_drop.visible = has_shadow and step >= DotProductTexts.Step.SCALAR
+	_head_drop.visible = _tail_drop.visible
+	_projection.visible = has_shadow and step >= DotProductTexts.Step.PROJECTION
+	_rejection.visible = is_rest_shown and has_shadow and model.rejection().length() > 0.0
 	_right_angle.visible = _right_angle.visible and _rejection.visible
+	# What has no direction has no arc.
+	_angle.visible = _angle.visible and step >= DotProductTexts.Step.SCALAR
+	for arc: AngleArc in [_alpha, _beta]:
+		arc.visible = arc.visible and step == DotProductTexts.Step.PRIMITIVE
+
+
+func _lay_angles(model: DotProductModel) -> void:
+	_angle.measure(model.onto_tail(), model.onto(), model.shadowed())
+	_alpha.measure(model.a_tail, Vec2.new(1.0, 0.0), model.a())
+	_beta.measure(model.b_tail, Vec2.new(1.0, 0.0), model.b())
 
 
 func _lay_shadow(model: DotProductModel) -> void:

@@ -5,24 +5,37 @@ extends RefCounted
 ## u is the vector whose shadow is looked for, w the one on which it falls, e the unit vector of w.
 ## `ax` is the field in which the x of a can be typed; `u_x` only shows the x of u.
 
-# The lines that each step adds.
+const _VECTORS: Array[String] = ["{a} = ( {ax} , {ay} )", "{b} = ( {bx} , {by} )"]
+const _LENGTH := "|{w}| = √({w_x}² + {w_y}²) = {w_length}"
+const _DOT := "{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"
+# The lines that each step adds, up to the one with the rest.
 const _LINES: Array[Array] = [
-	["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
-	["|{w}| = √({w_x}² + {w_y}²) = {w_length}", "{e} = {w} / |{w}| = {e_pair}"],
-	[
-		"{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}",
-		"{u} · {e} = {dot} / {w_length} = {scalar}",
-	],
+	_VECTORS,
+	[_LENGTH, "{e} = {w} / |{w}| = {e_pair}"],
+	[_DOT, "{u} · {e} = {dot_used} / {w_length} = {scalar}"],
 	["{p} = {scalar} {e} = {p_pair}"],
-	["{u} − {p} = {rejection}     ({u} − {p}) · {w} = {check}"],
+	["{u} − {p} = {rejection}", "({u} − {p}) · {w} = {check}"],
 ]
 # The same for the usual mistake: w is not brought to length 1.
 const _WRONG_LINES: Array[Array] = [
-	["{a} = ( {ax} , {ay} )     {b} = ( {bx} , {by} )"],
-	["|{w}| = √({w_x}² + {w_y}²) = {w_length}"],
-	["{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"],
-	["{p} = {scalar} {w} = {p_pair}"],
-	["{u} − {p} = {rejection}     ({u} − {p}) · {w} = {check}"],
+	_VECTORS,
+	[_LENGTH],
+	[_DOT],
+	["{p} = {scalar} {w} = {p_pair}", "|{w}|² = {w_length}² = {w_square}"],
+	["{u} − {p} = {rejection}", "({u} − {p}) · {w} = {check}"],
+]
+# On the angle, in place of those on the shadow.
+const _ANGLE_LINES: Array[String] = [
+	_DOT,
+	"{u} · {w} = |{u}| |{w}| cos φ",
+	"{u} · {w} = {u_length}·{w_length}·cos {angle}° = {dot_used}",
+	"{v} · {e} = cos φ = {cosine}",
+]
+const _PRIMITIVE_LINES: Array[String] = [
+	"{u_angle} = atan2{u_yx} = {u_degrees}°",
+	"{w_angle} = atan2{w_yx} = {w_degrees}°",
+	"φ = {u_angle} − {w_angle} = {phi}°",
+	"|{u}| cos φ = {u_length}·cos {phi}° = {primitive}",
 ]
 
 var _formula: Formula
@@ -33,16 +46,31 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 
 
-## Shows the lines of all steps up to [param step] with the numbers of [param model].
-func show_model(model: DotProductModel, step: int) -> void:
+## Shows the lines of [param step] with the numbers of [param model]. What is left by rounding is
+## not told where it [param is_moving]: so long a line for a single frame makes the panel jump.
+func show_model(model: DotProductModel, step: int, is_moving: bool) -> void:
 	_put_both_vectors(model)
+	_put_dot(model, is_moving)
 	_put_shadow(model)
-	var lines: PackedStringArray = []
-	for added: PackedStringArray in (_LINES if model.normalizes else _WRONG_LINES).slice(
-		0, step + 1
-	):
-		lines.append_array(added)
-	_formula.show_lines(lines)
+	_put_angles(model)
+	_formula.show_lines(_lines(model, step))
+
+
+# Where a vector has no direction, what would divide by its length is left out.
+func _lines(model: DotProductModel, step: int) -> PackedStringArray:
+	var lines := PackedStringArray(_VECTORS)
+	if not model.onto().length():
+		if step >= DotProductTexts.Step.UNIT:
+			lines.append(_LENGTH)
+	elif step <= DotProductTexts.Step.REJECTION or not model.shadowed().length():
+		var added := _LINES if model.normalizes else _WRONG_LINES
+		for of_step: Array in added.slice(1, step + 1):
+			lines.append_array(of_step)
+	elif step == DotProductTexts.Step.ANGLE:
+		lines.append_array(_ANGLE_LINES)
+	else:
+		lines.append_array(_PRIMITIVE_LINES)
+	return lines
 
 
 func _put_both_vectors(model: DotProductModel) -> void:
@@ -52,7 +80,19 @@ func _put_both_vectors(model: DotProductModel) -> void:
 	_formula.put_number("ay", model.a().y, Palette.Role.A, tr("y of a"))
 	_formula.put_number("bx", model.b().x, Palette.Role.B, tr("x of b"))
 	_formula.put_number("by", model.b().y, Palette.Role.B, tr("y of b"))
-	_formula.put_number("dot", model.dot(), Palette.Role.INK)
+
+
+# The first line says what is rounding; in those after it that is 0.
+func _put_dot(model: DotProductModel, is_moving: bool) -> void:
+	var terms := absf(model.a().x * model.b().x) + absf(model.a().y * model.b().y)
+	var is_rounding := absf(model.dot()) <= FormulaStatement.ROUNDING * terms
+	var unrounded := model.dot() if not (is_rounding and is_moving) else 0.0
+	_formula.put_number("dot", unrounded, Palette.Role.INK)
+	_formula.put_number("dot_used", 0.0 if is_rounding else model.dot(), Palette.Role.INK)
+	var scalar := 0.0 if is_rounding else model.scalar_projection()
+	_formula.put_number("scalar", scalar, Palette.Role.PROJECTION)
+	var projection := Vec2.new() if is_rounding else model.vector_projection()
+	_formula.put_vector("p_pair", projection, Palette.Role.PROJECTION)
 
 
 func _put_shadow(model: DotProductModel) -> void:
@@ -67,8 +107,29 @@ func _put_shadow(model: DotProductModel) -> void:
 	_formula.put_number("w_x", model.onto().x, role_of_w)
 	_formula.put_number("w_y", model.onto().y, role_of_w)
 	_formula.put_number("w_length", model.onto().length(), role_of_w)
-	_formula.put_number("scalar", model.scalar_projection(), Palette.Role.PROJECTION)
-	_formula.put_number("check", model.rejection().dot(model.onto()), Palette.Role.REST)
+	var check := model.rejection().dot(model.onto())
+	var size := model.shadowed().length() * model.onto().length()
+	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	_formula.put_vector("p_pair", model.vector_projection(), Palette.Role.PROJECTION)
 	_formula.put_vector("rejection", model.rejection(), Palette.Role.REST)
+	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
+
+
+func _put_angles(model: DotProductModel) -> void:
+	var role_of_u := Palette.Role.B if model.is_swapped else Palette.Role.A
+	var role_of_w := Palette.Role.A if model.is_swapped else Palette.Role.B
+	var of_u := model.shadowed().angle_degrees()
+	var of_w := model.onto().angle_degrees()
+	_formula.put_symbol("v", DotProductTexts.shadowed_unit_symbol(model), role_of_u)
+	_formula.put_symbol("u_angle", "β" if model.is_swapped else "α", role_of_u)
+	_formula.put_symbol("w_angle", "α" if model.is_swapped else "β", role_of_w)
+	_formula.put_number("u_length", model.shadowed().length(), role_of_u)
+	_formula.put_vector("u_yx", Vec2.new(model.shadowed().y, model.shadowed().x), role_of_u)
+	_formula.put_vector("w_yx", Vec2.new(model.onto().y, model.onto().x), role_of_w)
+	_formula.put_number("u_degrees", of_u, role_of_u)
+	_formula.put_number("w_degrees", of_w, role_of_w)
+	_formula.put_number("angle", model.angle_degrees(), Palette.Role.INK)
+	_formula.put_number("phi", of_u - of_w, Palette.Role.INK)
+	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
+	var primitive := PrimitiveProjection.scalar(model.shadowed(), model.onto())
+	_formula.put_number("primitive", primitive, Palette.Role.PROJECTION)

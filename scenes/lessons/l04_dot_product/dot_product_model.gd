@@ -81,6 +81,11 @@ func signed_angle_degrees() -> float:
 	return Vec2.rad_to_deg(onto().angle_to(shadowed()))
 
 
+## The cosine of the angle between both: the dot product of their unit vectors; 0 if one is zero.
+func cosine() -> float:
+	return a().normalized().dot(b().normalized())
+
+
 ## The vector of length 1 along [method onto]; zero where that is zero.
 func unit() -> Vec2:
 	return onto().normalized()
@@ -108,6 +113,18 @@ func rejection() -> Vec2:
 ## The foot of the perpendicular from [param point] on the line along [method onto].
 func foot(point: Vec2) -> Vec2:
 	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))
+
+
+## Whether [method scalar_projection] is another one than the right one: without normalizing, unless
+## a length of 1 or a right angle hides the mistake.
+func is_wrong() -> bool:
+	return not normalizes and dot() != 0.0 and onto().length() != 1.0
+
+
+## Whether the shadow ends where [method onto] ends, but for rounding.
+func ends_at_head() -> bool:
+	var length := onto().length()
+	return absf(shadowed().scalar_projection(onto()) - length) < 1e-9 * length
 
 
 ## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees.

@@ -2,6 +2,9 @@ class_name DotProductTexts
 extends RefCounted
 ## The sentences and the verdict of the lesson on the dot product.
 
+## The steps, counted from 0.
+enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+
 const _UNITS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
 
 
@@ -20,63 +23,140 @@ static func unit_symbol(model: DotProductModel) -> String:
 	return _UNITS[onto_symbol(model)]
 
 
+## The same along [method shadowed_symbol].
+static func shadowed_unit_symbol(model: DotProductModel) -> String:
+	return _UNITS[shadowed_symbol(model)]
+
+
 ## One sentence a step, translated.
 static func sentences(model: DotProductModel) -> PackedStringArray:
-	var letters := {"u": shadowed_symbol(model), "w": onto_symbol(model), "e": unit_symbol(model)}
-	var found: PackedStringArray = []
-	for sentence in _right_sentences() if model.normalizes else _wrong_sentences():
-		found.append(sentence.format(letters))
+	var found := _first_sentences()
+	if not model.onto().length():
+		found.resize(Step.size())
+		found.fill(
+			LabText.translate("{w} is zero: it has no direction, and no shadow falls on it.")
+		)
+		found[0] = _first_sentences()[0]
+	else:
+		found.append_array(_right_sentences(model) if model.normalizes else _wrong_sentences(model))
+		found.append_array(_angle_sentences(model))
+	for i in found.size():
+		found[i] = _with_letters(found[i], model)
 	return found
 
 
-## Two lines on the scalar projection: its size, and what its sign says, or how much too big it is
-## without normalizing.
+## What is asked before the shadow is shown, translated.
+static func question(model: DotProductModel) -> String:
+	return _with_letters(
+		(
+			LabText
+			. translate(
+				"Light falls straight onto {w}. Where does the shadow of {u} end? Drag the “?” there, then step forward."
+			)
+		),
+		model
+	)
+
+
+## Two lines on the scalar projection: its size, and what its sign says, or what is wrong without
+## normalizing.
 static func verdict(model: DotProductModel) -> PackedStringArray:
+	if not model.onto().length():
+		return [
+			LabText.translate("No projection"),
+			_with_letters(LabText.translate("{w} is zero: it has no direction"), model),
+		]
 	var scalar := NumberText.short(model.scalar_projection())
-	return [LabText.translate("Scalar projection %s") % scalar, _verdict_on_sign(model)]
+	return [LabText.translate("Scalar projection %s") % scalar, _what_it_says(model)]
 
 
-static func _verdict_on_sign(model: DotProductModel) -> String:
-	if not model.normalizes:
-		var times := NumberText.short(model.onto().length())
-		return LabText.translate("wrong: |%s| = %s times too big") % [onto_symbol(model), times]
+static func _what_it_says(model: DotProductModel) -> String:
+	if not model.shadowed().length():
+		return _with_letters(LabText.translate("zero: {u} is zero, and so is its shadow"), model)
+	if model.is_wrong():
+		var sentence := _with_letters(
+			LabText.translate("wrong: |{w}| = %s times the right one"), model
+		)
+		return sentence % NumberText.short(model.onto().length())
 	var by_sign: PackedStringArray = [
 		LabText.translate("negative: the angle is above 90°"),
-		LabText.translate("zero: no shadow at all"),
+		LabText.translate("zero: the angle is 90°"),
 		LabText.translate("positive: the angle is below 90°"),
 	]
 	return by_sign[model.side() + 1]
 
 
-static func _right_sentences() -> PackedStringArray:
+static func _first_sentences() -> PackedStringArray:
 	return [
-		LabText.translate(
-			"A vector is a difference: head minus tail. Drag either; only the difference counts."
-		),
+		(
+			LabText
+			. translate(
+				"A vector is a difference: head minus tail. Drag them, or click: left for a, right for b."
+			)
+		)
+	]
+
+
+static func _right_sentences(model: DotProductModel) -> PackedStringArray:
+	return [
 		LabText.translate(
 			"Divide {w} by its length: the unit vector {e} keeps the direction and has length 1."
 		),
 		LabText.translate(
 			"The dot product with {e} is the scalar projection: how far {u} reaches along {w}."
 		),
-		LabText.translate(
-			"So many times {e} is the vector projection p: the shadow of {u} on {w}."
-		),
+		_on_projection(model),
 		LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
 	]
 
 
-static func _wrong_sentences() -> PackedStringArray:
+# The lecture's numbers, b on a, would seem to say that p is always a.
+static func _on_projection(model: DotProductModel) -> String:
+	if model.ends_at_head():
+		return LabText.translate(
+			"{e} times the scalar projection is p. Here it is {w} itself, by chance: drag {u}."
+		)
+	return LabText.translate(
+		"{e} times the scalar projection is the vector projection p: the shadow of {u} on {w}."
+	)
+
+
+static func _wrong_sentences(model: DotProductModel) -> PackedStringArray:
 	return [
-		LabText.translate(
-			"A vector is a difference: head minus tail. Drag either; only the difference counts."
-		),
 		LabText.translate("Here {w} is NOT divided by its length: the usual mistake."),
 		LabText.translate(
-			"The dot product with {w} itself is the projection times the length of {w}."
+			"The dot product with {w} itself is the scalar projection times the length of {w}."
 		),
-		LabText.translate("So many times {w}: the arrow leaves the board. It is far too long."),
-		LabText.translate(
+		LabText.translate("That times {w} is |{w}|² times the shadow: the length comes in twice."),
+		_on_wrong_rest(model),
+	]
+
+
+static func _on_wrong_rest(model: DotProductModel) -> String:
+	if model.is_wrong():
+		return LabText.translate(
 			"The rest {u} − p is not perpendicular to {w}: that is how a test finds the mistake."
+		)
+	return LabText.translate("With these numbers the mistake changes nothing: a test needs others.")
+
+
+static func _angle_sentences(model: DotProductModel) -> PackedStringArray:
+	if not model.shadowed().length():
+		var no_angle := LabText.translate(
+			"{u} is zero: it has no direction, and there is no angle."
+		)
+		return [no_angle, no_angle]
+	return [
+		LabText.translate(
+			"The dot product holds the angle φ: it is |a| |b| cos φ, and cos φ for unit vectors."
+		),
+		LabText.translate(
+			"The primitive way: the angle of each by atan2, then the cosine of their difference."
 		),
 	]
+
+
+static func _with_letters(sentence: String, model: DotProductModel) -> String:
+	return sentence.format(
+		{"u": shadowed_symbol(model), "w": onto_symbol(model), "e": unit_symbol(model)}
+	)

@@ -2,6 +2,10 @@ extends Lesson
 ## The lesson on the distance of a ball from a line: from any point of the line, along the normal,
 ## less the radius. Where line, point and ball lie at the start is in the scene.
 
+## The opening slides p this share of the line to both sides, and so often in 20 seconds.
+const _SLIDE := 0.3
+const _SLIDES := 3.0
+
 var _model := LineDistanceModel.new()
 var _formula: LineDistanceFormula
 var _readout: LineDistanceReadout
@@ -33,6 +37,16 @@ func start() -> void:
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
+	open_with(_slide_p.bind(_model.from_share))
+
+
+# What moves by itself.
+
+
+# To hundredths, so that the numbers beside it stay short.
+func _slide_p(seconds: float, first: float) -> void:
+	var share := sin(TAU * _SLIDES * seconds / OpeningMotion.LONGEST)
+	_model.from_share = first + snappedf(_SLIDE * share, 0.01)
 
 
 # What the student does.
@@ -50,7 +64,19 @@ func _put_ball(at: Vec2) -> void:
 
 
 func _show() -> void:
+	ask_before(
+		LineDistanceTexts.Step.DISTANCE,
+		LineDistanceTexts.question_on_foot(),
+		_model.foot,
+		_model.from
+	)
+	ask_choice_before(
+		LineDistanceTexts.Step.GAP,
+		LineDistanceTexts.question_on_gap(),
+		LineDistanceTexts.choices(),
+		LineDistanceTexts.right_choice.bind(_model)
+	)
 	tell_steps(LineDistanceTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
-	_readout.show_model(_model)
+	_readout.show_model(_model, step)

@@ -33,15 +33,15 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_shadow(model, step)
 	_lay_gap(model, step)
 	_lay_to_segment(model, step)
-	_lay_mistake(model)
+	_lay_mistake(model, step)
 	_names.show_change()
-	_show_verdict(model)
+	_show_verdict(model, step)
 
 
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
 	_ball.role = Palette.Role.INK
 	_ball.label = ""
-	if step >= 3:
+	if step >= LineDistanceTexts.Step.GAP:
 		_ball.role = Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT
 		_ball.label = LineDistanceTexts.ball_word(model)
 	_ball.lay(model.ball.position, model.ball.radius)
@@ -54,7 +54,7 @@ func _lay_ball(model: LineDistanceModel, step: int) -> void:
 func _lay_normal(model: LineDistanceModel, step: int) -> void:
 	var drawn := model.line.normal().scaled(_names.times())
 	_normal.lay(model.from(), model.from().plus(drawn))
-	_normal.visible = step >= 1
+	_normal.visible = step >= LineDistanceTexts.Step.NORMAL
 
 
 func _lay_shadow(model: LineDistanceModel, step: int) -> void:
@@ -64,9 +64,9 @@ func _lay_shadow(model: LineDistanceModel, step: int) -> void:
 	_rejection.lay(corner, model.ball.position)
 	var back := normal.scaled(-model.distance())
 	_right_angle.measure(corner, back, model.ball.position.minus(corner))
-	_shadow.visible = step >= 2
-	_rejection.visible = step >= 2
-	_right_angle.visible = _right_angle.visible and step >= 2
+	_shadow.visible = step >= LineDistanceTexts.Step.DISTANCE
+	_rejection.visible = step >= LineDistanceTexts.Step.DISTANCE
+	_right_angle.visible = _right_angle.visible and step >= LineDistanceTexts.Step.DISTANCE
 
 
 func _lay_gap(model: LineDistanceModel, step: int) -> void:
@@ -76,7 +76,7 @@ func _lay_gap(model: LineDistanceModel, step: int) -> void:
 	_gap.offset = 18.0 if model.gap() > 0.0 else rim_pixels + 14.0
 	_gap.label = tr("gap %s") % NumberText.short(model.gap())
 	_gap.lay(model.foot(), model.rim(), away)
-	_gap.visible = step >= 3 and model.mistake == 0
+	_gap.visible = step >= LineDistanceTexts.Step.GAP and model.mistake == 0
 	_radius.label = "r"
 	_radius.lay(model.rim(), model.ball.position, away.negated())
 	_radius.visible = _gap.visible
@@ -91,15 +91,16 @@ func _lay_to_segment(model: LineDistanceModel, step: int) -> void:
 	_to_segment.label = tr("segment %s") % NumberText.short(model.segment_distance())
 	var outside := model.foot().minus(model.ball.position)
 	_to_segment.lay(model.nearest(), model.ball.position, outside)
-	_to_segment.visible = step >= 4 and model.is_beside_end()
+	_to_segment.visible = step >= LineDistanceTexts.Step.SEGMENT and model.is_beside_end()
 
 
-func _lay_mistake(model: LineDistanceModel) -> void:
+func _lay_mistake(model: LineDistanceModel, step: int) -> void:
 	var place := model.position_with_mistake()
-	var is_shown := model.mistake != 0 and place.is_finite()
+	var is_compared := model.mistake != 0 and step >= LineDistanceTexts.Step.DISTANCE
+	var is_shown := is_compared and place.is_finite()
 	_wrong_ball.visible = is_shown
 	_wrong_way.visible = is_shown
-	_right_way.visible = model.mistake != 0
+	_right_way.visible = is_compared
 	_right_way.label = tr("right %s") % NumberText.short(model.distance())
 	_right_way.lay(model.foot(), model.ball.position, _away_from_p(model).negated())
 	if not is_shown:
@@ -116,11 +117,12 @@ func _lay_mistake(model: LineDistanceModel) -> void:
 
 
 # The card gives way to the ball, and to where a mistake has it.
-func _show_verdict(model: LineDistanceModel) -> void:
+func _show_verdict(model: LineDistanceModel, step: int) -> void:
+	_verdict.visible = step >= LineDistanceTexts.Step.GAP
 	_verdict.show_verdict(
 		NumberText.MINUS if model.is_behind() else "+",
 		Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT,
-		LineDistanceTexts.verdict(model)
+		LineDistanceTexts.verdict(model, step)
 	)
 	var board := _endless.board
 	var balls: PackedVector2Array = [board.to_screen(model.ball.position)]

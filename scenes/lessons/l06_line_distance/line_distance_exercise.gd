@@ -89,7 +89,7 @@ func _add_mistakes(right: float, less: float) -> void:
 
 
 func _sentences() -> Dictionary[int, String]:
-	var too_big := tr("The normal is not unit: that is |l| = %s times too far.")
+	var too_big := tr("The normal is not unit: that is %s times the distance.")
 	return {
 		LineDistanceMistakes.NOT_UNIT: too_big % NumberText.short(line.length()),
 		LineDistanceMistakes.WRONG_SIGN: tr("The sign is wrong: n̂ is (−y, x), not (y, −x)."),

@@ -6,9 +6,10 @@ extends RefCounted
 const _LAST_STEP_WITH_MISTAKE := 2
 # What each mistake computes.
 const _WRONG_LINES: Dictionary[int, String] = {
-	LineDistanceMistakes.NOT_UNIT: "{wrong}: {d} · ( −({ly}), {lx} ) = {wrong_distance}",
-	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
-	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: straight up {wrong_distance}",
+	LineDistanceMistakes.NOT_UNIT:
+	"{wrong}: {d} · (−y, x) = {dx}·{minus_ly} + {dy}·{lx} = {wrong_distance}",
+	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = −({distance}) = {wrong_distance}",
+	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: y of the line − y of c = {wrong_distance}",
 }
 
 var _formula: Formula
@@ -23,8 +24,10 @@ func _init(formula: Formula) -> void:
 func show_model(model: LineDistanceModel, step: int) -> void:
 	_put_symbols()
 	_put_what_is_typed(model)
-	_put_vectors(model.line.along(), model.difference(), model.line.normal())
-	_put_distances(model)
+	# d is the difference of c and p: what rounding leaves of it grows with both.
+	var scale := model.ball.position.length() + model.from().length()
+	_put_vectors(model.line.along(), model.difference(), model.line.normal(), scale)
+	_put_distances(model, scale)
 	_formula.show_lines(_lines(model, step))
 
 
@@ -34,7 +37,9 @@ func _lines(model: LineDistanceModel, step: int) -> PackedStringArray:
 	for added: PackedStringArray in _lines_by_step().slice(0, last + 1):
 		found.append_array(added)
 	if model.mistake != 0:
-		found.append(_WRONG_LINES[model.mistake])
+		var has_answer := is_finite(model.distance_with_mistake())
+		var none := "{wrong}: " + tr("a vertical line has no y at the ball's x")
+		found.append(_WRONG_LINES[model.mistake] if has_answer else none)
 	return found
 
 
@@ -42,19 +47,18 @@ func _lines(model: LineDistanceModel, step: int) -> PackedStringArray:
 func _lines_by_step() -> Array[PackedStringArray]:
 	return [
 		[
-			tr("{l}: ( {sx} , {sy} ) to ( {ex} , {ey} )"),
+			tr("line: ( {sx} , {sy} ) to ( {ex} , {ey} )"),
 			tr("{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}"),
 			"{d} = {c} − {p} = {d_pair}"
 		],
 		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
 		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
-		["gap = {d} · {n} − r = {gap}"],
+		["gap = {d} · {n} − r = {distance} − {radius} = {gap}"],
 		[tr("to the segment: |{c} − {nearest}| = {segment}")],
 	]
 
 
 func _put_symbols() -> void:
-	_formula.put_symbol("l", "l", Palette.Role.INK)
 	_formula.put_symbol("c", "c", Palette.Role.INK)
 	_formula.put_symbol("p", "p", Palette.Role.A)
 	_formula.put_symbol("d", "d", Palette.Role.A)
@@ -76,26 +80,23 @@ func _put_what_is_typed(model: LineDistanceModel) -> void:
 	_formula.put_number("share", model.from_share, Palette.Role.A, title)
 
 
-func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2) -> void:
-	_formula.put_text("lx", NumberText.short(along.x), Palette.Role.INK)
-	_formula.put_text("ly", NumberText.short(along.y), Palette.Role.INK)
+func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2, scale: float) -> void:
+	_formula.put_number("lx", along.x, Palette.Role.INK)
+	_formula.put_number("ly", along.y, Palette.Role.INK)
+	_formula.put_number("minus_ly", -along.y, Palette.Role.INK)
 	_formula.put_number("length", along.length(), Palette.Role.INK)
-	_formula.put_vector("d_pair", difference, Palette.Role.A)
-	_formula.put_number("dx", difference.x, Palette.Role.A)
-	_formula.put_number("dy", difference.y, Palette.Role.A)
+	_formula.put_vector_sum("d_pair", difference, scale, Palette.Role.A)
+	_formula.put_sum("dx", difference.x, scale, Palette.Role.A)
+	_formula.put_sum("dy", difference.y, scale, Palette.Role.A)
 	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
 	_formula.put_number("nx", normal.x, Palette.Role.UNIT)
 	_formula.put_number("ny", normal.y, Palette.Role.UNIT)
 
 
-func _put_distances(model: LineDistanceModel) -> void:
-	_put("distance", model.distance(), Palette.Role.PROJECTION)
-	_put("gap", model.gap(), Palette.Role.INK)
+func _put_distances(model: LineDistanceModel, scale: float) -> void:
+	_formula.put_sum("distance", model.distance(), scale, Palette.Role.PROJECTION)
+	_formula.put_number("radius", model.ball.radius, Palette.Role.INK)
+	_formula.put_sum("gap", model.gap(), scale, Palette.Role.INK)
 	_formula.put_vector("nearest", model.nearest(), Palette.Role.REST)
-	_put("segment", model.segment_distance(), Palette.Role.REST)
-	_put("wrong_distance", model.distance_with_mistake(), Palette.Role.WRONG)
-
-
-# A result ends its line: no parentheses around a negative one.
-func _put(name_in_line: String, result: float, role: Palette.Role) -> void:
-	_formula.put_text(name_in_line, NumberText.short(result), role)
+	_formula.put_sum("segment", model.segment_distance(), scale, Palette.Role.REST)
+	_formula.put_sum("wrong_distance", model.distance_with_mistake(), scale, Palette.Role.WRONG)

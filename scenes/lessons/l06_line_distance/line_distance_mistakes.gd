@@ -36,19 +36,28 @@ static func infos() -> Array[MistakeInfo]:
 		MistakeInfo.new(
 			STRAIGHT_UP,
 			LabText.translate("distance measured straight up"),
-			LabText.translate("Longer than the perpendicular: seen too late."),
-			"test_line_distance.test_straight_up_is_longer"
+			LabText.translate(
+				"Straight up is longer than the perpendicular: the hit is seen too late."
+			),
+			"test_line_distance.test_straight_up_is_longer",
+			LabText.translate("The test compares both distances from a tilted line.")
 		),
 		MistakeInfo.new(
 			WRONG_SIGN,
 			LabText.translate("normal with the wrong sign"),
 			LabText.translate("(y, −x) is the normal of the other side."),
-			"test_line_distance.test_the_good_side_is_kept"
+			"test_line_distance.test_the_good_side_is_kept",
+			LabText.translate(
+				"The test puts a ball on the good side and wants a positive distance."
+			)
 		),
 		MistakeInfo.new(
 			NOT_UNIT,
 			LabText.translate("normal not unit"),
-			LabText.translate("Not divided by |l|: |l| times too far."),
-			"test_line_distance.test_the_normal_is_unit"
+			LabText.translate(
+				"Not divided by the line's length: the distance is that many times too large."
+			),
+			"test_line_distance.test_the_normal_is_unit",
+			LabText.translate("The test wants a normal of length 1.")
 		),
 	]

@@ -18,8 +18,10 @@ func measure(model: LineDistanceModel) -> void:
 	_nanoseconds["from_start"] = CallTimer.nanoseconds(model.distance_from_start)
 
 
-## Shows both distances of [param model], their errors, and the run times that were measured last.
-func show_model(model: LineDistanceModel) -> void:
+## Shows both distances of [param model], their errors, and the run times that were measured last,
+## from the step of the distance on.
+func show_model(model: LineDistanceModel, step: int) -> void:
+	_readout.visible = step >= LineDistanceTexts.Step.DISTANCE
 	_show_call("from_p", tr("from p"), model.distance(), model)
 	_show_call("from_start", tr("from the start"), model.distance_from_start(), model)
 

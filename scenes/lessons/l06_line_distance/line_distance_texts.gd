@@ -2,58 +2,111 @@ class_name LineDistanceTexts
 extends RefCounted
 ## The sentences and the verdict of the lesson on the distance from a line.
 
+## The steps, counted from 0.
+enum Step { DIFFERENCE, NORMAL, DISTANCE, GAP, SEGMENT }
+
 
 ## One sentence a step, translated.
 static func sentences(model: LineDistanceModel) -> PackedStringArray:
-	return [
-		LabText.translate("d leads from a point p of the line to the ball's centre c. Slide p."),
+	var found: PackedStringArray = [
 		LabText.translate(
-			"The unit normal n̂ is perpendicular to the line. Its side is the good one."
+			"d leads from p, a point of the line, to the ball's centre c. Slide p: d changes."
 		),
 		LabText.translate(
-			"The shadow of d on n̂ is the distance of c. Slide p: d changes, this stays."
+			"The unit normal n̂ is perpendicular to the line and points to its good side."
 		),
-		LabText.translate("Less the radius: the gap. Below 0 is too close, or behind the line."),
-		_beside_end(model),
+		LabText.translate(
+			"d · n̂ is the distance of c: the shadow of d on n̂. Slide p: d changes, d · n̂ stays."
+		),
+		LabText.translate("Subtract the radius, and you have the gap between ball and line."),
+		_on_segment(model),
 	]
+	if model.mistake != 0:
+		for step: int in [Step.GAP, Step.SEGMENT]:
+			found[step] = LabText.translate(
+				"Compare the distance of the mistake with the right one."
+			)
+	return found
+
+
+## What is asked before the distance is shown, translated.
+static func question_on_foot() -> String:
+	return LabText.translate(
+		"Which point of the line is nearest to c? Drag the “?” there, then step forward."
+	)
+
+
+## What is asked before the gap is shown, translated.
+static func question_on_gap() -> String:
+	return LabText.translate("Is the ball free, too close to the line, or behind it?")
+
+
+## The answers to [method question_on_gap], translated.
+static func choices() -> PackedStringArray:
+	return [LabText.translate("free"), LabText.translate("too close"), LabText.translate("behind")]
+
+
+## The right one of [method choices], counted from 0.
+static func right_choice(model: LineDistanceModel) -> int:
+	if model.is_behind():
+		return 2
+	return 1 if model.is_overlapping() else 0
 
 
 ## The word above the ball, translated.
 static func ball_word(model: LineDistanceModel) -> String:
-	if model.is_behind():
-		return LabText.translate("behind")
-	return LabText.translate("too close") if model.is_overlapping() else LabText.translate("free")
+	return choices()[right_choice(model)]
 
 
-## What was found, in two or three lines, translated.
-static func verdict(model: LineDistanceModel) -> PackedStringArray:
-	var words: PackedStringArray = [_gap_words(model.gap(), model.is_behind()), _side_words(model)]
+## What was found at [param step], in two or three lines, translated.
+static func verdict(model: LineDistanceModel, step: int) -> PackedStringArray:
+	var words: PackedStringArray = [_gap_words(model), _side_words(model, step)]
 	if model.mistake != 0:
-		var wrong := NumberText.short(model.distance_with_mistake() - model.ball.radius)
-		words.append(LabText.translate("the mistake says: a gap of %s px") % wrong)
+		words.append(_mistake_words(model))
 	return words
 
 
-static func _gap_words(gap: float, is_behind: bool) -> String:
-	if is_behind:
-		return LabText.translate("Behind the line: %s px too far") % NumberText.short(-gap)
-	if gap < 0.0:
-		return LabText.translate("Too close by %s px") % NumberText.short(-gap)
-	return LabText.translate("Free: a gap of %s px") % NumberText.short(gap)
+static func _gap_words(model: LineDistanceModel) -> String:
+	var gap := NumberText.short(model.gap())
+	if model.is_behind():
+		return LabText.translate("Behind the line: gap %s px") % gap
+	if model.gap() == 0.0:
+		return LabText.translate("It just touches the line: gap 0 px")
+	if model.is_overlapping():
+		return LabText.translate("Too close: gap %s px") % gap
+	return LabText.translate("Free: gap %s px") % gap
 
 
-static func _side_words(model: LineDistanceModel) -> String:
+static func _side_words(model: LineDistanceModel, step: int) -> String:
+	if model.is_beside_end() and step < Step.SEGMENT:
+		return LabText.translate("measured to the line without ends")
 	if model.is_beside_end():
 		var gap := NumberText.short(model.segment_distance() - model.ball.radius)
-		return LabText.translate("beside the end: gap to the segment %s px") % gap
+		return LabText.translate("but the gap to the segment is %s px") % gap
 	if model.is_behind():
-		return LabText.translate("the distance is negative here")
+		return LabText.translate("d · n̂ is negative on this side")
+	if model.distance_from_start() == 0.0:
+		return LabText.translate("its centre is on the line")
 	return LabText.translate("on the good side, where n̂ points")
 
 
-static func _beside_end(model: LineDistanceModel) -> String:
+static func _mistake_words(model: LineDistanceModel) -> String:
+	var wrong := model.distance_with_mistake()
+	if not is_finite(wrong):
+		return LabText.translate("the mistake has no answer: this line is vertical")
+	var gap := NumberText.short(wrong - model.ball.radius)
+	return LabText.translate("the mistake says: gap %s px") % gap
+
+
+static func _on_segment(model: LineDistanceModel) -> String:
 	if model.is_beside_end():
 		return LabText.translate(
-			"Beside the end both distances differ: the endless line is nearer."
+			"Beside an end the segment is farther away than the line without ends."
 		)
-	return LabText.translate("Here both distances agree. Drag the ball past an end of the line.")
+	if model.is_behind():
+		return LabText.translate(
+			"The distance to the segment has no sign: it does not tell the sides apart."
+		)
+	return LabText.translate(
+		"Here the distance to the segment is the same. Drag the ball past an end of the line."
+	)

@@ -12,23 +12,24 @@ const ACTIONS := AngledLinesKeys.ACTIONS
 var _model: AngledLinesModel
 var _formula: AngledLinesFormula
 var _readout: AngledLinesReadout
+var _options: AngledLinesOptions
 
 @onready var _drawing: AngledLinesDrawing = %Drawing
 @onready var _player: AngledLinesPlayer = %Player
 @onready var _engine: EngineLane = %Engine
 @onready var _timeline: TimelineCard = %TimelineCard
-@onready var _options: LessonOptions = services.get(&"options")
 
 
 func start() -> void:
 	_model = AngledLinesModel.new(_drawing.world_at_start(bounciness))
 	_connect_board(%Lines as LineViews, %Gravity as GravityArrow, %Pointer as BoardPointer)
 	_connect_keys(%Keys as AngledLinesKeys)
-	_fill_options(%Keys as AngledLinesKeys)
-	_fill_panel()
+	_fill_panel(services[&"options"] as LessonOptions, services[&"question"] as Question)
 	_connect_player()
 	about_to_show.connect(_settle)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.outline(_model))
+	_ask_questions()
+	open_with(_player.fly_to)
 
 
 func _connect_board(lines: LineViews, gravity: GravityArrow, pointer: BoardPointer) -> void:
@@ -48,6 +49,7 @@ func _connect_keys(keys: AngledLinesKeys) -> void:
 	on_edit(keys.preset_picked, _model.set_up)
 	on_edit(keys.fetch_wanted, _model.fetch_balls)
 	keys.impact_wanted.connect(_timeline.go_to_impact)
+	(%Fetch as Button).pressed.connect(keys.act.bind(&"lab_fetch_balls"))
 	keys.line_deleted.connect((%Lines as LineViews).delete_focused)
 	keys.trails_switched.connect(func() -> void: _show_trails(not _drawing.has_trails))
 	keys.trails_cleared.connect(func() -> void: _drawing.begin_trails(_model))
@@ -62,32 +64,33 @@ func _connect_player() -> void:
 	_drawing.follow(_player, _model)
 
 
-# A button of a preset does what the key of the preset does.
-func _fill_options(keys: AngledLinesKeys) -> void:
-	_options.add_choice("method", tr("How a frame is stepped"), AngledLinesTexts.methods())
-	_options.add_switch("trails", tr("Trails"))
-	_options.add_switch("engine", tr("Godot"))
-	for i in AngledLinesPresets.TITLES.size():
-		_options.add_preset("lab_preset_%d" % i, "%d %s" % [i, tr(AngledLinesPresets.TITLES[i])])
-	_options.add_preset("lab_fetch_balls", tr("F Fetch"))
-	on_edit(_options.chosen, _choose_method)
-	_options.switched.connect(_switch)
-	_options.preset_picked.connect(keys.act)
+func _ask_questions() -> void:
+	ask_before(1, AngledLinesTexts.touch_prompt(), _model.next_touch, _first_guess)
+	var resetting := func() -> int: return SteppingMethods.Method.POSITION_RESET
+	ask_choice_before(2, AngledLinesTexts.energy_prompt(), AngledLinesTexts.ways(), resetting)
 
 
-func _fill_panel() -> void:
+func _fill_panel(options: LessonOptions, question: Question) -> void:
+	_options = AngledLinesOptions.new(options)
+	on_edit(options.chosen, AngledLinesOptions.choose.bind(_model))
+	options.switched.connect(_switch)
 	_formula = AngledLinesFormula.new(services[&"formula"] as Formula)
 	on_enter(_enter_number)
 	_readout = AngledLinesReadout.new(services[&"readout"] as Readout)
 	var mistakes := services[&"mistakes"] as Mistakes
 	mistakes.add_all(AngledLinesMistakes.all())
 	on_edit(mistakes.mistake_picked, _model.set_mistake)
-	var question := services[&"question"] as Question
 	question.offer(SteppingExercise.fresh, SteppingExercise.Kind.size())
 	on_edit(question.board_wanted, func(of: SteppingExercise) -> void: _model.put_up(of.world))
 
 
 # What the student does.
+
+
+# In the middle of the board. The ball stands still while its way is guessed.
+func _first_guess() -> Vec2:
+	pause()
+	return Vec2.new()
 
 
 func _select(index: int) -> void:
@@ -103,10 +106,6 @@ func _follow_jump(problem: String) -> void:
 	_drawing.begin_trails(_model)
 	_show_moment()
 	motion_ended.emit()
-
-
-func _choose_method(_key: String, place: int) -> void:
-	_model.set_method(place as SteppingMethods.Method)
 
 
 func _switch(key: String, on: bool) -> void:
@@ -131,30 +130,32 @@ func _settle() -> void:
 
 
 func _show() -> void:
-	_options.show_choice("method", _model.method)
-	_options.show_switch("engine", _engine.is_on())
+	_options.show_model(_model, _drawing.has_trails, _engine.is_on())
+	services[&"readout"].visible = step >= 2
 	_engine.begin_anew(_model)
 	_drawing.show_model(_model)
-	_show_trails(_drawing.has_trails)
 	_show_moment()
 
 
 func _show_trails(on: bool) -> void:
 	_drawing.has_trails = on
-	_options.show_switch("trails", on)
+	_options.show_model(_model, on, _engine.is_on())
 
 
 # What changes from frame to frame. What is to come is worked out only while time stands still.
 func _show_moment() -> void:
 	var forecast: BallForecast
-	if not _player.is_playing():
+	if step >= 1 and not _player.is_playing():
 		forecast = _model.forecast(_model.world)
 	_drawing.show_moment(_model, forecast)
 	_timeline.show_model(_model)
 	_engine.show_moment(_model)
-	if _formula.show_moment(_model, forecast):
+	tell_steps(AngledLinesTexts.steps(_model, forecast))
+	var bounce := forecast.next_bounce if forecast else _model.last_bounce
+	if _formula.show_moment(_model, bounce if step == 1 else null, _player.is_playing()):
 		_show_status()
 
 
 func _show_status() -> void:
 	(%Status as Label).text = AngledLinesTexts.status(_model, _player.meter.milliseconds)
+	(%Fetch as Button).visible = _model.world.lost_count() > 0

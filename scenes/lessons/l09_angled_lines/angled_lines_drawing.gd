@@ -81,19 +81,19 @@ func scale_arrow(model: AngledLinesModel) -> void:
 	_arrow_seconds = _FAST_ARROW_SECONDS if speed > _FAST else _ARROW_SECONDS
 
 
-## Shows the lines of [param model] and its gravity; trails begin where the balls are.
+## Shows the lines of [param model] and its gravity. Trails that do not lead to the balls begin
+## anew.
 func show_model(model: AngledLinesModel) -> void:
 	_lines.show_lines(model.lines())
 	_gravity.show_gravity(model.world.surroundings.gravity)
-	begin_trails(model)
+	if not (_trails.lead_to(model.world) and _wrong_trails.lead_to(_wrong_world(model))):
+		begin_trails(model)
 
 
 ## Trails begin anew where the balls are.
 func begin_trails(model: AngledLinesModel) -> void:
 	_trails.begin(model.world)
-	_wrong_trails.begin(
-		model.wrong_world if model.wrong_world else SteppedWorld.new(WholeFrameMover.new())
-	)
+	_wrong_trails.begin(_wrong_world(model))
 
 
 ## Shows where the balls of [param model] are now, and what comes next; null where time runs.
@@ -121,6 +121,11 @@ func _show_bounce(bounce: BounceRecord) -> void:
 		_impact.lay(bounce.position, _ball.radius)
 		_normal.lay(foot, foot.plus(bounce.normal.scaled(_NORMAL_LENGTH)))
 		_path.show_note(AngledLinesTexts.impact_label(bounce), bounce.position, bounce.normal)
+
+
+# Without balls where no mistake is switched on.
+func _wrong_world(model: AngledLinesModel) -> SteppedWorld:
+	return model.wrong_world if model.wrong_world else SteppedWorld.new(WholeFrameMover.new())
 
 
 # A step on makes the trails longer, a step back takes the latest stroke away.

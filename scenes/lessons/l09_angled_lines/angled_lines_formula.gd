@@ -3,16 +3,16 @@ extends RefCounted
 ## The formula of the lesson on angled lines: gravity, bounciness, the selected ball and one of its
 ## bounces.
 ##
-## x is the ball's centre, v its velocity, n the normal of the line that it meets, w its velocity
-## after the bounce.
+## P is the ball's centre, v its velocity, n the normal of the line that it meets, v₁ and v₂ its
+## velocity before and after that bounce.
 
 const _LINES: PackedStringArray = [
 	"{g} = ( {gx} , {gy} )    C = {C}",
-	"{x} = ( {px} , {py} )   {v} = ( {vx} , {vy} )",
+	"{P} = ( {px} , {py} )   {v} = ( {vx} , {vy} )",
 ]
 const _LINES_ON_BOUNCE: PackedStringArray = [
-	"{w} = {v} − (1 + C) ({v} · {n}) {n} = {w_pair}",
-	"   = {v_pair} − {factor} · {vn} {n_pair}",
+	"{after} = {before} − (1 + C) ({before} · {n}) {n}",
+	"{after} = {before_pair} − {factor} · {vn} {n_pair} = {after_pair}",
 ]
 # While time runs, the numbers change once in this many frames of the screen: slowly enough to be
 # read.
@@ -27,14 +27,14 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 
 
-## Shows [param model] with the bounce to come in [param forecast]. Where that is null, time runs:
-## then it shows the latest bounce, and only now and then. True where it was shown.
-func show_moment(model: AngledLinesModel, forecast: BallForecast) -> bool:
+## Shows [param model] with [param bounce], if it is not null. While time runs it shows the numbers
+## only now and then. True where they were shown.
+func show_moment(model: AngledLinesModel, bounce: BounceRecord, is_running: bool) -> bool:
 	_frames_unshown += 1
-	if not forecast and _frames_unshown < _FRAMES_BETWEEN:
+	if is_running and _frames_unshown < _FRAMES_BETWEEN:
 		return false
 	_frames_unshown = 0
-	_show(model, forecast.next_bounce if forecast else model.last_bounce)
+	_show(model, bounce, is_running)
 	return true
 
 
@@ -53,41 +53,36 @@ static func enter(model: AngledLinesModel, name_in_line: String, value: float) -
 	return model.change_ball(position, velocity)
 
 
-func _show(model: AngledLinesModel, bounce: BounceRecord) -> void:
+func _show(model: AngledLinesModel, bounce: BounceRecord, is_running: bool) -> void:
 	var ball := model.ball()
 	var surroundings := model.world.surroundings
+	var step := 0.1 if is_running else 0.0
 	_formula.put_symbol("g", "g", Palette.Role.B)
-	_formula.put_symbol("x", "x", Palette.Role.A)
+	_formula.put_symbol("P", "P", Palette.Role.A)
 	_formula.put_symbol("v", "v", Palette.Role.A)
 	_put("gx", surroundings.gravity.x, Palette.Role.B, tr("x of gravity"))
 	_put("gy", surroundings.gravity.y, Palette.Role.B, tr("y of gravity"))
-	_put("px", ball.position.x, Palette.Role.A, tr("x of the ball"))
-	_put("py", ball.position.y, Palette.Role.A, tr("y of the ball"))
-	_put("vx", ball.velocity.x, Palette.Role.A, tr("x of the velocity"))
-	_put("vy", ball.velocity.y, Palette.Role.A, tr("y of the velocity"))
-	_formula.put_number("C", surroundings.bounciness, Palette.Role.INK, tr("bounciness C"))
+	_put("px", snappedf(ball.position.x, step), Palette.Role.A, tr("x of the ball"))
+	_put("py", snappedf(ball.position.y, step), Palette.Role.A, tr("y of the ball"))
+	_put("vx", snappedf(ball.velocity.x, step), Palette.Role.A, tr("x of the velocity"))
+	_put("vy", snappedf(ball.velocity.y, step), Palette.Role.A, tr("y of the velocity"))
+	_put("C", surroundings.bounciness, Palette.Role.INK, tr("bounciness C"))
 	if bounce:
 		_put_bounce(bounce, surroundings.bounciness)
 	_formula.show_lines(_LINES + (_LINES_ON_BOUNCE if bounce else PackedStringArray()))
 
 
-func _put_bounce(bounce: BounceRecord, bounciness: float) -> void:
-	var along_normal := roundf(bounce.velocity_before.dot(bounce.normal))
-	var normal := NumberText.pair(bounce.normal.x, bounce.normal.y, 3)
-	_formula.put_symbol("n", "n", Palette.Role.UNIT)
-	_formula.put_symbol("w", "v′", Palette.Role.PROJECTION)
-	_formula.put_text("n_pair", normal, Palette.Role.UNIT)
-	_formula.put_text("v_pair", _whole_pair(bounce.velocity_before), Palette.Role.A)
-	_formula.put_text("w_pair", _whole_pair(bounce.velocity_after), Palette.Role.PROJECTION)
-	_formula.put_text("vn", NumberText.factor(along_normal), Palette.Role.INK)
-	_formula.put_text("factor", NumberText.short(1.0 + bounciness), Palette.Role.INK)
-
-
-static func _whole_pair(vector: Vec2) -> String:
-	return NumberText.pair(roundf(vector.x), roundf(vector.y))
-
-
-# Tenths, and at most four digits: while time runs they can be read along.
 func _put(name_in_line: String, value: float, role: Palette.Role, title: String) -> void:
-	var step := 0.1 if absf(value) < 1000.0 else 1.0
-	_formula.put_number(name_in_line, snappedf(value, step), role, title)
+	_formula.put_number(name_in_line, value, role, title)
+
+
+func _put_bounce(bounce: BounceRecord, bounciness: float) -> void:
+	var before := bounce.velocity_before
+	_formula.put_symbol("n", "n", Palette.Role.UNIT)
+	_formula.put_symbol("before", "v₁", Palette.Role.A)
+	_formula.put_symbol("after", "v₂", Palette.Role.PROJECTION)
+	_formula.put_vector("n_pair", bounce.normal, Palette.Role.UNIT)
+	_formula.put_vector("before_pair", before, Palette.Role.A)
+	_formula.put_vector("after_pair", bounce.velocity_after, Palette.Role.PROJECTION)
+	_formula.put_number("vn", before.dot(bounce.normal), Palette.Role.INK)
+	_formula.put_number("factor", 1.0 + bounciness, Palette.Role.INK)

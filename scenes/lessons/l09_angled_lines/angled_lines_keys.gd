@@ -93,15 +93,3 @@ func _act_alone(action: StringName) -> void:
 			line_deleted.emit()
 		&"lab_fetch_balls":
 			fetch_wanted.emit()
-
-
-# A clicked button would keep the focus, and with it take Space and the arrow keys from the lesson.
-func _input(event: InputEvent) -> void:
-	var click := event as InputEventMouseButton
-	if click and not click.pressed:
-		_release_button.call_deferred()
-
-
-func _release_button() -> void:
-	if get_viewport().gui_get_focus_owner() is BaseButton:
-		get_viewport().gui_release_focus()

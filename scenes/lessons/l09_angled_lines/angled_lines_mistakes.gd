@@ -68,6 +68,17 @@ static func mover(number: int) -> BallMover:
 	return WholeFrameMover.new()
 
 
+## Whether the mistake [param number] is shown beside the way of stepping [param method]: not beside
+## the event world, which makes none of them, nor beside the way that makes this very mistake.
+static func can_be_beside(number: int, method: SteppingMethods.Method) -> bool:
+	match method:
+		SteppingMethods.Method.EVENT_WORLD:
+			return false
+		SteppingMethods.Method.POINT_OF_IMPACT:
+			return number != 24
+	return true
+
+
 ## All of them, as the gallery shows them.
 static func all() -> Array[MistakeInfo]:
 	return [
@@ -75,32 +86,48 @@ static func all() -> Array[MistakeInfo]:
 			14,
 			LabText.translate("reflected while moving away"),
 			LabText.translate(
-				"The ball overlaps, so it is reflected, frame after frame: it sinks and jitters."
+				"The ball overlaps, so it is reflected, frame after frame: it sinks in and jitters."
 			),
-			"test_known_stepping_mistakes.test_a_ball_that_moves_away_is_not_reflected_again"
+			"test_known_stepping_mistakes.test_a_ball_that_moves_away_is_not_reflected_again",
+			LabText.translate("The test has a ball overlap and move away: its velocity must stay.")
 		),
 		MistakeInfo.new(
 			21,
 			LabText.translate("last hit instead of the earliest"),
 			LabText.translate(
-				"Two walls in one frame: the last in the list wins. The ball passes the first."
+				"Of two walls in one frame the last in the list wins: the ball passes the first."
 			),
-			"test_known_stepping_mistakes.test_the_earliest_of_two_walls_is_hit"
+			"test_known_stepping_mistakes.test_the_earliest_of_two_walls_is_hit",
+			LabText.translate(
+				"The test lists two walls in both orders: the ball must hit the nearer."
+			)
 		),
 		MistakeInfo.new(
 			24,
 			LabText.translate("rest of the frame lost"),
 			LabText.translate(
-				"After the bounce the ball waits for the next frame, but gravity does not."
+				"After a bounce the ball waits for the next frame, while gravity still changes v."
 			),
-			"test_known_stepping_mistakes.test_the_rest_of_the_frame_is_used"
-		),
-		MistakeInfo.new(
-			26,
-			LabText.translate("full gravity before the bounce"),
+			"test_known_stepping_mistakes.test_the_rest_of_the_frame_is_used",
 			LabText.translate(
-				"All of the frame's gravity comes before the bounce: each one adds energy."
-			),
-			"test_known_stepping_mistakes.test_gravity_before_the_bounce_lasts_until_the_bounce"
+				"The test lets a ball bounce: it must fly on for the rest of the frame."
+			)
+		),
+		(
+			MistakeInfo
+			. new(
+				26,
+				LabText.translate("full gravity before the bounce"),
+				(
+					LabText
+					. translate(
+						"The whole frame's gravity acts before the bounce: each bounce off the floor adds energy."
+					)
+				),
+				"test_known_stepping_mistakes.test_gravity_before_the_bounce_lasts_until_the_bounce",
+				LabText.translate(
+					"The test drops a ball: at the bounce v² = v₀² + 2 g s must hold."
+				)
+			)
 		),
 	]

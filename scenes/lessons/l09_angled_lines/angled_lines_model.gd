@@ -62,12 +62,10 @@ func put_up(other: SteppedWorld) -> void:
 	_begin()
 
 
-## Switches to the way of stepping [param new_method]. The event world makes no mistake: there the
-## mistake is switched off.
+## Switches to the way of stepping [param new_method]. A mistake is switched off where there is no
+## right way beside it; see [method AngledLinesMistakes.can_be_beside].
 func set_method(new_method: SteppingMethods.Method) -> void:
 	method = new_method
-	if method == SteppingMethods.Method.EVENT_WORLD:
-		mistake = 0
 	_begin()
 
 
@@ -120,9 +118,11 @@ func elapsed_seconds() -> float:
 
 
 ## Energy now as a share of the energy at the start: of [member world], or of [member wrong_world].
-## 1 where there was none.
+## NaN where there was none, or where a ball has taken its energy along.
 func energy_share(of_world: SteppedWorld) -> float:
-	return of_world.energy() / _first_energy if _first_energy != 0.0 else 1.0
+	if of_world.lost_count() > 0 or _first_energy <= 0.0:
+		return NAN
+	return of_world.energy() / _first_energy
 
 
 ## Takes gravity in pixels per second squared.
@@ -181,7 +181,9 @@ func move_ball(position: Vec2) -> String:
 func change_ball(position: Vec2, velocity: Vec2) -> String:
 	var problem := world.change_ball(selected, position, velocity)
 	if not problem:
-		_starts.change(selected, ball())
+		# Brought back to outside of all lines, a lost ball would only be lost again.
+		if _is_among_lines(position):
+			_starts.change(selected, ball())
 		_begin()
 	return problem
 
@@ -189,6 +191,13 @@ func change_ball(position: Vec2, velocity: Vec2) -> String:
 ## What the selected ball will do in [param of_world] in the next 1.5 s.
 func forecast(of_world: SteppedWorld) -> BallForecast:
 	return BallForecast.of(of_world, selected, FRAME, FORECAST_FRAMES)
+
+
+## Where the centre of the selected ball is at its next bounce, a [Vec2]; null where none comes
+## soon.
+func next_touch() -> Variant:
+	var bounce := forecast(world).next_bounce
+	return bounce.position if bounce else null
 
 
 ## The ball that is selected.
@@ -262,10 +271,24 @@ func _at_start_of(wanted_preset: int) -> AngledLinesModel:
 	return fresh
 
 
+# Whether a point lies in the upright rectangle around all lines.
+func _is_among_lines(point: Vec2) -> bool:
+	var low := Vec2.new(INF, INF)
+	var high := Vec2.new(-INF, -INF)
+	for line in world.surroundings.segments:
+		for end: Vec2 in [line.start, line.end]:
+			low.set_xy(minf(low.x, end.x), minf(low.y, end.y))
+			high.set_xy(maxf(high.x, end.x), maxf(high.y, end.y))
+	var is_between := point.x >= low.x and point.x <= high.x
+	return is_between and point.y >= low.y and point.y <= high.y
+
+
 # From here on energy is compared and the past is counted.
 func _begin() -> void:
 	world.mover = SteppingMethods.mover_of(method)
 	wrong_world = null
+	if not AngledLinesMistakes.can_be_beside(mistake, method):
+		mistake = 0
 	if mistake:
 		wrong_world = world.copy()
 		wrong_world.mover = AngledLinesMistakes.mover(mistake)

@@ -38,6 +38,12 @@ func is_playing() -> bool:
 	return _transport.is_playing
 
 
+## Makes the frames that are over [param seconds] after the start.
+func fly_to(seconds: float) -> void:
+	while (_model.world.frames + 0.999) * AngledLinesModel.FRAME <= seconds:
+		_step(true)
+
+
 ## Time stands still from now on.
 func pause() -> void:
 	_transport.is_playing = false

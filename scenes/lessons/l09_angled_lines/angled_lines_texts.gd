@@ -13,11 +13,68 @@ static func methods() -> PackedStringArray:
 	]
 
 
-## The headings of the comparison after [param frames] frames.
+## The titles of the presets, each with its key.
+static func scenes() -> PackedStringArray:
+	var titles: PackedStringArray = []
+	for key in AngledLinesPresets.TITLES.size():
+		titles.append("%d  %s" % [key, TranslationServer.translate(AngledLinesPresets.TITLES[key])])
+	return titles
+
+
+## What the steps say of [param model], where [param forecast] is the path to come; null while it is
+## not shown, because time runs.
+static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStringArray:
+	return [
+		(
+			LabText
+			. translate(
+				"Drag on the board to draw a line; drag ball, v, g, lines. To delete a line click it, then ✕."
+			)
+		),
+		_bounce_step(model, forecast),
+		LabText.translate(
+			"The same minute, stepped in four ways. E may never grow; with C = 1 it must stay."
+		),
+	]
+
+
+static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> String:
+	if model.world.is_lost[model.selected] == 1:
+		return LabText.translate("The ball is lost: it has left the board.")
+	if not forecast and model.last_bounce:
+		return LabText.translate(
+			"At its last bounce v₁ turned into v₂. Pause to see the path to come."
+		)
+	if not forecast:
+		return LabText.translate("It has not bounced yet. Pause to see the path to come.")
+	if not forecast.next_bounce:
+		return LabText.translate("Dotted is the path to come: there is no bounce on it.")
+	return LabText.translate(
+		"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
+	)
+
+
+## What is asked before the path is shown.
+static func touch_prompt() -> String:
+	return LabText.translate(
+		"Where is the ball's centre at its next touch? Drag the ring there, then go on."
+	)
+
+
+## What is asked before the comparison is shown.
+static func energy_prompt() -> String:
+	return LabText.translate(
+		"With gravity and C = 1: which way of stepping lets a ball jump higher and higher?"
+	)
+
+
+## The headings of the comparison after [param frames] frames. It goes on only while time stands
+## still.
 static func headings(frames: int) -> PackedStringArray:
 	var seconds := roundi(frames * AngledLinesModel.FRAME)
+	var after := LabText.translate("after %d s") % seconds
 	return [
-		LabText.translate("after %d s") % seconds,
+		after if frames > 0 else LabText.translate("pause first"),
 		LabText.translate("E / E₀"),
 		LabText.translate("error"),
 		LabText.translate("run time"),
@@ -25,32 +82,41 @@ static func headings(frames: int) -> PackedStringArray:
 
 
 ## A row of the comparison: the energy that is left in one way of stepping, its error, and the run
-## time of a frame. With C below 1 energy must be lost, and so there is no error to show. Where a
-## ball bounced too often to be moved on, the row says so.
+## time of a frame. Nothing is told before the first frame. Where a ball bounced too often to be
+## moved on, or was lost, the row says so.
 static func comparison(of: MethodComparison, method: SteppingMethods.Method) -> PackedStringArray:
+	if of.frames() == 0:
+		return [ways()[method], "–", "–", "–"]
 	var share := of.energy_share(method)
-	var text := NumberText.short(share)
-	if of.lost_count(method):
-		text = LabText.translate("%s, %d lost") % [text, of.lost_count(method)]
-	if of.refusal(method):
-		text = LabText.translate("stopped")
-	return [
-		_row_title(method),
-		text,
-		NumberText.size(share - 1.0) if of.keeps_energy() and not of.refusal(method) else "–",
-		LabText.translate("%s µs") % NumberText.short(of.microseconds_per_frame(method), 2),
+	var run_time := NumberText.short(of.microseconds_per_frame(method), 2)
+	var row: PackedStringArray = [
+		ways()[method], _share(share, 4), "–", LabText.translate("%s µs") % run_time
 	]
+	if of.refusal(method):
+		row[1] = LabText.translate("stopped")
+	elif of.lost_count(method):
+		row[1] = LabText.translate("%d lost") % of.lost_count(method)
+	elif is_finite(share):
+		row[2] = _energy_error(share, of.keeps_energy())
+	return row
 
 
-static func _row_title(method: SteppingMethods.Method) -> String:
-	match method:
-		SteppingMethods.Method.POSITION_RESET:
-			return LabText.translate("reset")
-		SteppingMethods.Method.POINT_OF_IMPACT:
-			return LabText.translate("rest dropped")
-		SteppingMethods.Method.WHOLE_FRAME:
-			return LabText.translate("rest used")
-	return LabText.translate("event world")
+# With C below 1 energy must be lost, and so only what is too much is an error.
+static func _energy_error(share: float, keeps_energy: bool) -> String:
+	if keeps_energy:
+		return NumberText.size(share - 1.0)
+	return "≥ " + NumberText.size(share - 1.0) if _is_too_much(share) else "–"
+
+
+## The ways of stepping as the comparison names them, in the order of
+## [enum SteppingMethods.Method].
+static func ways() -> PackedStringArray:
+	return [
+		LabText.translate("position reset"),
+		LabText.translate("rest dropped"),
+		LabText.translate("rest used"),
+		LabText.translate("event world"),
+	]
 
 
 ## The note at the point of impact.
@@ -58,27 +124,36 @@ static func impact_label(bounce: BounceRecord) -> String:
 	return "t = %s" % NumberText.short(bounce.fraction, 3)
 
 
-## The lines of the status card: time, bounces, lost balls, energy, and the script's share of a
-## frame of 1/60 s.
+## The lines of the status card: time, bounces, lost balls, energy, and how much of a frame's 1/60 s
+## the script takes.
 static func status(model: AngledLinesModel, milliseconds: float) -> String:
 	var world := model.world
 	var counters := [world.frames, model.elapsed_seconds(), world.bounces, world.losses]
-	var cost := [milliseconds, milliseconds / AngledLinesModel.FRAME / 10.0]
 	return (
-		LabText.translate("Frame %d = %.2f s    bounces %d    lost %d") % counters
+		LabText.translate("Frame %d, %.2f s    bounces %d    lost %d") % counters
 		+ "\n"
 		+ _energy(model)
 		+ "    "
-		+ LabText.translate("script %.2f ms = %.1f %%") % cost
+		+ LabText.translate("script %.2f of 16.67 ms") % milliseconds
 	)
 
 
 static func _energy(model: AngledLinesModel) -> String:
-	var right := LabText.translate("E / E₀ = %s") % _share(model.energy_share(model.world))
+	var right := "E / E₀ = " + _share(model.energy_share(model.world), 5)
 	if not model.wrong_world:
 		return right
-	return right + "    ✗ " + _share(model.energy_share(model.wrong_world))
+	var wrong := _share(model.energy_share(model.wrong_world), 5)
+	return right + ", " + LabText.translate("mistake: %s") % wrong
 
 
-static func _share(value: float) -> String:
-	return NumberText.short(value, 5)
+# A share of the energy at the start, "–" where there is none. No way of stepping may make energy.
+static func _share(value: float, digits: int) -> String:
+	if is_nan(value):
+		return "–"
+	var text := NumberText.short(value, digits)
+	return text + " ✗" if _is_too_much(value) else text
+
+
+# So much that it is seen in what is shown.
+static func _is_too_much(share: float) -> bool:
+	return share > 1.001

@@ -12,6 +12,8 @@ const _LONGEST := 1800
 # More trails than this are drawn as hairlines, with one stroke for two frames: they cross each
 # other so often that nobody sees the difference.
 const _MOST_BROAD := 20
+# Wide enough to be seen from the back of a classroom, in pixels.
+const _WIDTH := 3.0
 # From the end of a trail to a point where the line has faded out, in pixels of the plane.
 const _SEAM := Vector2(0.01, 0.0)
 
@@ -69,6 +71,16 @@ func remove_frame(world: SteppedWorld) -> void:
 	queue_redraw()
 
 
+## Whether each trail ends where its ball in [param world] is: then it can go on.
+func lead_to(world: SteppedWorld) -> bool:
+	if _trails.size() != world.balls.size():
+		return false
+	for i in _trails.size():
+		if _trails[i][-1] != world.balls[i].position.to_vector2():
+			return false
+	return true
+
+
 ## The places of the trail of one ball, the latest last.
 func places_of(index: int) -> PackedVector2Array:
 	var trail := _trails[index]
@@ -111,7 +123,7 @@ func _draw() -> void:
 	if _has_hairlines():
 		_draw_hairlines()
 	elif _trails:
-		_draw_broad(1.5 / scale_now)
+		_draw_broad(_WIDTH / scale_now)
 
 
 # One pixel wide at any scale, and the cheapest lines there are.

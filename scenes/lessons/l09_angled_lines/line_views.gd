@@ -12,6 +12,8 @@ signal released
 const _SEGMENT := preload("res://scenes/widgets/board/draggable_segment.tscn")
 # Both ends look the same and are small: there are many, in pixels.
 const _DOT_RADIUS := 5.0
+# So few lines are named beside them, A, B and so on; more names would only be in the way.
+const _MOST_NAMED := 3
 # From the middle of a line to its button, in pixels of the screen.
 const _BESIDE := 40.0
 
@@ -62,6 +64,7 @@ func show_lines(lines: Array[LineSegment]) -> void:
 		_views.resize(_views.size() - 1)
 	for i in lines.size():
 		_views[i].lay(lines[i].start, lines[i].end)
+		_views[i].show_label(lines.size() <= _MOST_NAMED)
 	_place_button()
 
 
@@ -102,10 +105,9 @@ func _pairs_of_ends() -> Array[LineSegment]:
 func _add_view() -> void:
 	var view := _SEGMENT.instantiate() as DraggableVector
 	var index := _views.size()
-	view.label = str(index + 1)
+	view.label = char("A".unicode_at(0) + index) if index < 26 else str(index + 1)
 	# Without an owner: the editor does not save what it shows of the start.
 	add_child(view)
-	view.show_label(false)
 	for child in view.get_children():
 		if child is Handle:
 			(child as Handle).dot_radius = _DOT_RADIUS

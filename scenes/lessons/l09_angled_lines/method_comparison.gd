@@ -40,9 +40,12 @@ func frames() -> int:
 	return _worlds[-1].frames
 
 
-## The energy now as a share of that at the start; 1 where there was none.
+## The energy now as a share of that at the start; NaN where there was none, or where a ball has
+## taken its energy along.
 func energy_share(method: SteppingMethods.Method) -> float:
-	return _worlds[method].energy() / _first_energy if _first_energy != 0.0 else 1.0
+	if lost_count(method) > 0 or _first_energy <= 0.0:
+		return NAN
+	return _worlds[method].energy() / _first_energy
 
 
 ## How many balls that way of stepping has lost.

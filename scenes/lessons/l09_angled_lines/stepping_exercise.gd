@@ -34,7 +34,9 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SteppingExercise:
 
 
 func _ask_earliest(rng: RandomNumberGenerator) -> void:
-	var old := Vec2.new(rng.randi_range(-9, 9) * 10, rng.randi_range(-9, 9) * 10)
+	# Not at the origin: there, to forget the old position would make no difference.
+	var old := Vec2.new(rng.randi_range(1, 9) * 10, rng.randi_range(-9, 9) * 10)
+	old.x *= [-1.0, 1.0][rng.randi_range(0, 1)]
 	var motion := Vec2.new(rng.randi_range(4, 16) * 8, -rng.randi_range(4, 9) * 8)
 	var first := old.plus(motion.scaled(0.25))
 	var last := old.plus(motion.scaled(0.75))
@@ -48,9 +50,13 @@ func _ask_earliest(rng: RandomNumberGenerator) -> void:
 	_show(Ball.new(old, _RADIUS, motion.scaled(60.0)), [first, last], motion.normalized().negated())
 	answer_titles = ["x =", "y ="]
 	right_answer = [first.x, first.y]
-	_add_vector(last, tr("That is the last hit. The earliest is the one that happens."))
+	_add_vector(
+		last, tr("That is the last hit. The ball bounces off the line that it touches first.")
+	)
 	_add_vector(old.plus(motion), tr("That is the end of the frame: the ball has passed the line."))
-	_add_vector(motion.scaled(0.25), tr("That is the way to the impact: add the old position."))
+	_add_vector(
+		motion.scaled(0.25), tr("That is only the way to the impact: add the old position.")
+	)
 
 
 func _ask_rest(rng: RandomNumberGenerator) -> void:
@@ -72,7 +78,9 @@ func _ask_rest(rng: RandomNumberGenerator) -> void:
 	right_answer = [(1.0 - share) * speed]
 	add_mistake([0.0], tr("The rest of the frame was dropped: (1 − t) of it is still to be used."))
 	add_mistake([share * speed], tr("That is the way before the bounce; after it 1 − t is left."))
-	add_mistake([speed], tr("That is the way of a whole frame; part of it was used to fall."))
+	add_mistake(
+		[speed], tr("That is the way of a whole frame; a part of it was used up by the fall.")
+	)
 
 
 func _ask_moving_away(rng: RandomNumberGenerator) -> void:
@@ -102,7 +110,8 @@ func _ask_moving_away(rng: RandomNumberGenerator) -> void:
 	else:
 		right_answer = [velocity.x, velocity.y]
 		_add_vector(
-			reflected, tr("v · n is positive: it moves away already. Reflected again, it sticks.")
+			reflected,
+			tr("v · n is positive: it moves away already. Reflected once more, it sticks.")
 		)
 
 
@@ -125,10 +134,11 @@ func _ask_gravity(rng: RandomNumberGenerator) -> void:
 	answer_titles = ["v ="]
 	right_answer = [before]
 	add_mistake(
-		[speed + gravity], tr("That is full gravity before the bounce: only t of it has acted.")
+		[speed + gravity],
+		tr("That is the gravity of the whole frame: only the share t of it has acted.")
 	)
-	add_mistake([speed], tr("Gravity has acted, too: for the share t of the frame."))
-	add_mistake([-before], tr("That is just after the bounce."))
+	add_mistake([speed], tr("Gravity acts, too: for the share t of the frame."))
+	add_mistake([-before], tr("That is the velocity just after the bounce."))
 
 
 # Puts up the ball, and lines with this normal which it touches when its centre is at `contacts`.

@@ -10,6 +10,9 @@ signal moment_wanted(seconds: float)
 const _NUDGE := 0.1
 const _MARGIN := 14.0
 const _FONT_SIZE := 14
+# The middle of the legend, and of the line of time as a share of what is below it, in pixels.
+const _LEGEND := 10.0
+const _LINE := 0.36
 
 var _now := 0.0
 var _is_dragged := false
@@ -45,13 +48,15 @@ func pixel_of(seconds: float) -> float:
 
 
 func _draw() -> void:
-	var line := size.y * 0.36
+	var line := 2.0 * _LEGEND + (size.y - 2.0 * _LEGEND) * _LINE
+	var at := _draw_legend(_MARGIN, Palette.Role.PROJECTION, tr("bounce of the ball"))
+	_draw_legend(at, Palette.Role.UNIT, tr("comes to rest"))
 	draw_line(Vector2(_MARGIN, line), Vector2(size.x - _MARGIN, line), Palette.AXIS, 2.0)
 	_draw_seconds(line)
 	for seconds in _impacts:
-		_draw_diamond(seconds, line, Palette.Role.PROJECTION)
+		_draw_impact(seconds, line, Palette.Role.PROJECTION)
 	for seconds in _rests:
-		_draw_diamond(seconds, line, Palette.Role.UNIT)
+		_draw_impact(seconds, line, Palette.Role.UNIT)
 	_draw_now(line)
 	if has_focus():
 		draw_rect(Rect2(Vector2.ZERO, size), Palette.FOCUS, false, 3.0)
@@ -69,10 +74,23 @@ func _draw_seconds(line: float) -> void:
 		draw_string(font, at, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
 
 
-func _draw_diamond(seconds: float, line: float, role: Palette.Role) -> void:
+# Draws a mark with its meaning at the top, and returns where the next one begins.
+func _draw_legend(left: float, role: Palette.Role, text: String) -> float:
+	var font := ThemeDB.fallback_font
+	_draw_diamond(Vector2(left, _LEGEND), role)
+	var at := Vector2(left + 12.0, _LEGEND + _FONT_SIZE * 0.36)
+	var color := Palette.color(Palette.Role.QUIET)
+	draw_string(font, at, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
+	return at.x + font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x + 24.0
+
+
+func _draw_impact(seconds: float, line: float, role: Palette.Role) -> void:
 	var middle := Vector2(pixel_of(seconds), line)
-	if middle.x < _MARGIN - 1.0 or middle.x > size.x - _MARGIN + 1.0:
-		return
+	if middle.x >= _MARGIN - 1.0 and middle.x <= size.x - _MARGIN + 1.0:
+		_draw_diamond(middle, role)
+
+
+func _draw_diamond(middle: Vector2, role: Palette.Role) -> void:
 	var corners: PackedVector2Array = []
 	for direction: Vector2 in [Vector2.UP, Vector2.RIGHT, Vector2.DOWN, Vector2.LEFT]:
 		corners.append(middle + direction * Vector2(5.5, 9.0))
@@ -82,7 +100,7 @@ func _draw_diamond(seconds: float, line: float, role: Palette.Role) -> void:
 func _draw_now(line: float) -> void:
 	var at := Vector2(pixel_of(_now), line)
 	var color := Palette.color(Palette.Role.A)
-	draw_line(Vector2(at.x, 1.0), Vector2(at.x, size.y - 18.0), color, 3.0)
+	draw_line(Vector2(at.x, 2.0 * _LEGEND), Vector2(at.x, size.y - 18.0), color, 3.0)
 	var dot := DotTexture.of(Palette.PAPER, color, 7.0)
 	draw_texture(dot, at - dot.get_size() / 2.0)
 

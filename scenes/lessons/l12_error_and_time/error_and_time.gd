@@ -37,18 +37,22 @@ func start() -> void:
 	_model.choose_problem(_model.place_of(first_problem))
 	_formula = ErrorAndTimeFormula.new(services[&"formula"] as Formula)
 	_readout = ErrorAndTimeReadout.new(services[&"readout"] as Readout)
-	_options.add_choice("problem", tr("What is measured"), MeasuredTexts.titles(_model.problems))
+	var titles := MeasuredTexts.titles(_model.problems)
+	titles.append(tr("Stiff and extreme cases"))
+	_options.add_choice("problem", tr("What is measured"), titles)
 	_options.add_choice("situation", tr("The situation"), [])
-	_options.add_preset("measurements", tr("Error and run time"))
-	_options.add_preset("stability", tr("Stability"))
 	on_edit(_options.chosen, _choose)
-	on_edit(_options.preset_picked, _open_page)
 	on_move(_progress.begun, _model.begin)
 	on_move(_progress.stopped, _model.stop)
 	_plot.point_chosen.connect(_point)
 	(services[&"question"] as Question).offer(SlopeExercise.fresh, SlopeExercise.Kind.size())
 	_model.begin()
 	begin(_model, _show)
+	ask_choice_before(
+		1, ErrorAndTimeTexts.closest_prompt(), ErrorAndTimeTexts.ranks(), _model.rank_of_closest
+	)
+	var quarter := func() -> int: return 1
+	ask_choice_before(2, ErrorAndTimeTexts.order_prompt(), ErrorAndTimeTexts.remainders(), quarter)
 
 
 func _engine_cases(problem_id: String) -> Array[MeasuredCase]:
@@ -81,25 +85,17 @@ func show_link(linked: Dictionary) -> void:
 # What the student does.
 
 
+# Behind the problems in their list are the stiff and extreme cases.
 func _choose(key: String, place: int) -> void:
-	_leave_page()
-	_model.is_stability_open = false
-	if key == "problem":
-		_model.choose_problem(place)
-	else:
-		_model.situation_place = place
-	_model.go_on()
-
-
-func _open_page(page: String) -> void:
-	_leave_page()
-	_model.is_stability_open = page == "stability"
-	_model.go_on()
-
-
-func _leave_page() -> void:
 	_model.stop()
 	_has_pointed = false
+	if key == "situation":
+		_model.situation_place = place
+	else:
+		_model.is_stability_open = place == _model.problems.size()
+		if not _model.is_stability_open:
+			_model.choose_problem(place)
+	_model.go_on()
 
 
 func _point(_index: int) -> void:
@@ -118,17 +114,29 @@ func _process(_delta: float) -> void:
 
 
 func _show() -> void:
+	tell_steps(ErrorAndTimeTexts.steps())
 	var problem := _model.problem()
 	_plot.x_title = MeasuredTexts.of(problem.run_time_axis)
 	_plot.y_title = MeasuredTexts.of(problem.error_axis)
 	_plot.show_series(MeasuredTexts.all_of(_model.run().methods()), _model.run().are_baselines())
+	_show_choices()
+	var is_plotted := not _model.is_stability_open
+	_table.visible = not is_plotted
+	_plot.visible = is_plotted
+	services[&"steps"].visible = is_plotted
+	services[&"readout"].visible = is_plotted and step >= 1
+	services[&"formula"].visible = is_plotted and step >= 2
+	_show_progress()
+
+
+func _show_choices() -> void:
+	if _model.is_stability_open:
+		_options.fill_choice("situation", [tr("in the event world")])
+		_options.show_choice("problem", _model.problems.size())
+		return
 	_options.fill_choice("situation", MeasuredTexts.all_of(_model.situations()))
 	_options.show_choice("problem", _model.problem_place)
 	_options.show_choice("situation", _model.situation_place)
-	_table.visible = _model.is_stability_open
-	for part: Control in [_plot, services[&"formula"], services[&"readout"]]:
-		part.visible = not _model.is_stability_open
-	_show_progress()
 
 
 func _show_progress() -> void:
@@ -143,7 +151,7 @@ func _show_progress() -> void:
 func _show_run() -> void:
 	var run := _model.run()
 	var measurements := run.measurements()
-	var frontier := ErrorAndTimeModel.frontier(measurements)
+	var frontier := ErrorAndTimeModel.frontier(measurements) if step >= 1 else PackedInt32Array()
 	var methods := run.methods()
 	var points: Array[PlotPoint] = []
 	for i in measurements.size():

@@ -4,6 +4,12 @@ extends RefCounted
 ## from two of its settings.
 
 const _ORDER := "{p} = log( {e1} / {e2} ) / log( {t2} / {t1} )"
+const _LINES: PackedStringArray = [
+	_ORDER,
+	"{e1} / {e2} = {e1_number} / {e2_number} = {errors}",
+	"{t2} / {t1} = {t2_number} / {t1_number} = {times}",
+	"{p} = log( {errors} ) / log( {times} ) = {p_number}",
+]
 
 var _formula: Formula
 
@@ -15,15 +21,16 @@ func _init(formula: Formula) -> void:
 
 ## Shows the order between the measurement at [param place] and its neighbour. Says what is missing
 ## where nothing is pointed at ([param place] -1), where the method has one setting only, or where
-## the errors cannot be compared.
+## the two cannot be compared.
 func show_order(measurements: Array[Measurement], place: int) -> void:
 	_put_symbols()
 	var other := ErrorAndTimeModel.neighbour(measurements, place) if place >= 0 else -1
-	if other >= 0:
-		_show_pair(measurements[place], measurements[other])
+	if other < 0:
+		_show_hint(tr("Point at a mark with a line:"), tr("its slope is the order p."))
+	elif is_nan(ErrorAndTimeModel.order(measurements[place], measurements[other])):
+		_show_hint(_reason(measurements[place], measurements[other]), tr("So there is no order p."))
 	else:
-		var hint := tr("Point at a method with several settings:")
-		_formula.show_lines([_ORDER, hint, tr("its slope is the order p.")])
+		_show_pair(measurements[place], measurements[other])
 
 
 func _put_symbols() -> void:
@@ -34,28 +41,25 @@ func _put_symbols() -> void:
 	_formula.put_symbol("t2", "t₂", Palette.Role.A)
 
 
+func _show_hint(first: String, second: String) -> void:
+	_formula.show_lines([_ORDER, first, second])
+
+
+# Why two settings have no order.
+func _reason(one: Measurement, other: Measurement) -> String:
+	if not (one.has_answer() and other.has_answer()):
+		return tr("One of the two settings has no answer.")
+	if one.error == 0.0 or other.error == 0.0:
+		return tr("One of the two errors is 0.")
+	return tr("Both settings take the same time.")
+
+
 func _show_pair(one: Measurement, other: Measurement) -> void:
-	var order := ErrorAndTimeModel.order(one, other)
-	if not is_finite(order):
-		_formula.show_lines([_ORDER, tr("An error of 0, or no answer,"), tr("has no order.")])
-		return
-	_put("p_number", order, Palette.Role.PROJECTION)
-	_put("e1_number", one.error, Palette.Role.B)
-	_put("e2_number", other.error, Palette.Role.B)
-	_put("t1_number", one.run_time_us, Palette.Role.A)
-	_put("t2_number", other.run_time_us, Palette.Role.A)
-	(
-		_formula
-		. show_lines(
-			[
-				_ORDER + " = {p_number}",
-				"{e1} / {e2} = {e1_number} / {e2_number}",
-				"{t2} / {t1} = {t2_number} / {t1_number}",
-			]
-		)
-	)
-
-
-# What is measured has three digits at most.
-func _put(name_in_line: String, value: float, role: Palette.Role) -> void:
-	_formula.put_text(name_in_line, NumberText.short(value, 3), role)
+	_formula.put_number("e1_number", one.error, Palette.Role.B)
+	_formula.put_number("e2_number", other.error, Palette.Role.B)
+	_formula.put_number("t1_number", one.run_time_us, Palette.Role.A)
+	_formula.put_number("t2_number", other.run_time_us, Palette.Role.A)
+	_formula.put_number("errors", ErrorAndTimeModel.error_ratio(one, other), Palette.Role.B)
+	_formula.put_number("times", ErrorAndTimeModel.time_ratio(one, other), Palette.Role.A)
+	_formula.put_number("p_number", ErrorAndTimeModel.order(one, other), Palette.Role.PROJECTION)
+	_formula.show_lines(_LINES)

@@ -3,6 +3,9 @@ extends LessonModel
 ## The lesson on error and run time: which problem is measured, in which situation, what has been
 ## found so far, and what of it is on the frontier.
 
+# Where there is more to see in another situation than in the first: pi from mass ratio 10000 on.
+const _FIRST_SITUATIONS: Dictionary[String, int] = {"digits_of_pi": 2}
+
 ## The problems that can be chosen, in their order.
 var problems := ReportProblems.all()
 ## The place of the one that is chosen: at first the ball in a box, where there is most to see.
@@ -38,10 +41,10 @@ func place_of(id: String) -> int:
 	return problems.find_custom(func(some: ReportProblem) -> bool: return some.id == id)
 
 
-## Chooses a problem by its place, in its first situation.
+## Chooses a problem by its place, in the situation that shows most.
 func choose_problem(place: int) -> void:
 	problem_place = place
-	situation_place = 0
+	situation_place = _FIRST_SITUATIONS.get(problem().id, 0)
 
 
 ## The situations of the problem that is chosen.
@@ -99,6 +102,19 @@ static func frontier(measurements: Array[Measurement]) -> PackedInt32Array:
 	return places
 
 
+## Whether the measurement with the smallest error is the fastest of all (0), one in between (1) or
+## the slowest (2); -1 before all are made.
+func rank_of_closest() -> int:
+	var all := run().measurements()
+	if not run().is_done() or all.size() < 3:
+		return -1
+	var closest := all[frontier(all)[-1]].run_time_us
+	var times := all.map(func(one: Measurement) -> float: return one.run_time_us)
+	if closest == times.min():
+		return 0
+	return 2 if closest == times.max() else 1
+
+
 ## The place of the next slower measurement of the same method; of the next faster one for the
 ## slowest; -1 where the method has one setting only.
 static func neighbour(measurements: Array[Measurement], place: int) -> int:
@@ -118,12 +134,25 @@ static func neighbour(measurements: Array[Measurement], place: int) -> int:
 
 
 ## The order p between two measurements of a method, log(e1/e2) / log(t2/t1): the error falls as
-## the run time to the power -p. NaN where an error is 0 or no answer, or where both took the same
+## the run time to the power -p. It is computed from the ratios as they are shown: more digits than
+## that are not in a run time. NaN where an error is 0 or no answer, or where both took the same
 ## time.
 static func order(one: Measurement, other: Measurement) -> float:
-	var errors := log(one.error / other.error) if other.error > 0.0 and one.error > 0.0 else NAN
-	var times := log(other.run_time_us / one.run_time_us)
-	return errors / times if times != 0.0 and is_finite(errors) else NAN
+	var errors := log(NumberText.rounded(error_ratio(one, other)))
+	var times := log(NumberText.rounded(time_ratio(one, other)))
+	return errors / times if times != 0.0 and is_finite(times) and is_finite(errors) else NAN
+
+
+## The ratio of two errors, e1/e2; NaN where one is 0 or no answer.
+static func error_ratio(one: Measurement, other: Measurement) -> float:
+	if one.error == 0.0 or other.error == 0.0 or not (one.has_answer() and other.has_answer()):
+		return NAN
+	return one.error / other.error
+
+
+## The ratio of two run times, t2/t1.
+static func time_ratio(one: Measurement, other: Measurement) -> float:
+	return other.run_time_us / one.run_time_us
 
 
 ## What the student has chosen; not what was measured.

@@ -2,6 +2,53 @@ class_name ErrorAndTimeTexts
 extends RefCounted
 ## The sentences of the lesson on error and run time.
 
+## The unit of an error that is 1 over the number of bounces which were right.
+const BOUNCES := "1/bounces"
+
+
+## What the steps say.
+static func steps() -> PackedStringArray:
+	return [
+		LabText.translate(
+			"Each mark is a method: the further left, the faster; the lower, the smaller its error."
+		),
+		LabText.translate(
+			"The dashed frontier joins the best: no method is both faster and closer than they are."
+		),
+		(
+			LabText
+			. translate(
+				"Point at a mark with a line: its slope is the order p. Twice the time: 1/2ᵖ of the error."
+			)
+		),
+	]
+
+
+## What is asked before the frontier is shown.
+static func closest_prompt() -> String:
+	return LabText.translate("Read the plot: by run time, which method has the smallest error?")
+
+
+## The answers to that, in the order of [method ErrorAndTimeModel.rank_of_closest].
+static func ranks() -> PackedStringArray:
+	return [
+		LabText.translate("the fastest"),
+		LabText.translate("one in between"),
+		LabText.translate("the slowest"),
+	]
+
+
+## What is asked before the order is shown.
+static func order_prompt() -> String:
+	return LabText.translate(
+		"A method of order 2 gets twice the time. How much of its error is left?"
+	)
+
+
+## The answers to that.
+static func remainders() -> PackedStringArray:
+	return ["1/2", "1/4", "1/8"]
+
 
 ## The lines of the card beside a point that is pointed at.
 static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
@@ -25,8 +72,10 @@ static func words(measurement: Measurement, is_best: bool) -> PackedStringArray:
 static func error(measurement: Measurement) -> String:
 	if not measurement.has_answer():
 		return LabText.translate("no answer")
-	var unit := MeasuredTexts.of(measurement.error_unit)
-	return "%s %s" % [NumberText.size(measurement.error), unit]
+	var size := NumberText.size(measurement.error)
+	if measurement.error_unit == BOUNCES:
+		return LabText.translate("%s = 1 / bounces") % size
+	return "%s %s" % [size, MeasuredTexts.of(measurement.error_unit)]
 
 
 ## A time in the unit that suits it.
@@ -46,13 +95,20 @@ static func progress(model: ErrorAndTimeModel) -> String:
 
 
 static func _progress_of_stability(run: StabilityRun) -> String:
-	var counts: Array[int] = [run.passed_count(), run.done_count(), run.size()]
-	return LabText.translate("%d of %d tried hold; %d in all.") % counts
+	var counts: Array[int] = [run.done_count(), run.size(), run.passed_count()]
+	var sentence := LabText.translate("Tried %d of %d: %d hold.") % counts
+	if run.is_done():
+		sentence += " " + LabText.translate("%d more take too long here.") % run.left_out.size()
+	return sentence
 
 
 static func _progress_of_run(run: MeasuringRun) -> String:
 	if run.is_done():
-		var done := LabText.translate("Done: the middle one of %d runs each, on this machine.")
+		if run.methods().size() == 1:
+			return LabText.translate("Only one method can be measured here; ./lab report has more.")
+		var done := LabText.translate(
+			"Done: the median of %d runs of each method, on this machine."
+		)
 		return done % MeasuringRun.ROUNDS
 	var counts: Array[int] = [run.done_count(), run.size()]
 	if run.is_going:

@@ -29,14 +29,21 @@ const _AXES: PackedStringArray = [
 	"impacts too few or too many",
 ]
 
+# What the lesson calls a method whose name in tables is too short to be understood: source text.
+const _IN_FULL: Dictionary[String, String] = {
+	"event world, one call": "event world, one jump to the end",
+	"dot product": "dot product in GDScript, 64 bits",
+	"Vector2": "dot product of Vector2, 32 bits",
+}
+
 # Situations, methods and what they are set to: source text.
 const _NAMES: PackedStringArray = [
 	"up to %s px",
 	"nearly perpendicular",
 	"%s to %s px",
 	"atan2 and cos",
-	"dot product",
-	"Vector2",
+	"dot product in GDScript, %s bits",
+	"dot product of Vector2, %s bits",
 	"share of |a|",
 	"%s px/s, %s s",
 	"%s Hz",
@@ -48,7 +55,7 @@ const _NAMES: PackedStringArray = [
 	"event world, grid",
 	"event world, scan",
 	"event world, flights followed",
-	"event world, one call",
+	"event world, one jump to the end",
 	"one call",
 	"%s segments",
 	"%s balls",
@@ -101,7 +108,7 @@ static func all_of(names: PackedStringArray) -> PackedStringArray:
 ## A name in the reader's language, with its numbers.
 static func of(name_in_table: String) -> String:
 	var numbers: Array[String] = []
-	for hit in RegEx.create_from_string(_NUMBER).search_all(name_in_table):
+	for hit in RegEx.create_from_string(_NUMBER).search_all(_in_full(name_in_table)):
 		numbers.append(hit.get_string())
 	var translated: String = TranslationServer.translate(pattern(name_in_table))
 	return translated % numbers
@@ -109,5 +116,9 @@ static func of(name_in_table: String) -> String:
 
 ## What is looked up for a name: %s for each number, %% for a percent sign.
 static func pattern(name_in_table: String) -> String:
-	var plain := name_in_table.replace("%", "%%")
+	var plain := _in_full(name_in_table).replace("%", "%%")
 	return RegEx.create_from_string(_NUMBER).sub(plain, "%s", true)
+
+
+static func _in_full(name_in_table: String) -> String:
+	return _IN_FULL.get(name_in_table, name_in_table)

@@ -41,7 +41,7 @@ func _ask_order(rng: RandomNumberGenerator) -> void:
 	right_answer = [order]
 	add_mistake(
 		[slower ** order],
-		tr("So many times smaller is the error. p is the power of the time in it.")
+		tr("That is the ratio of the errors. It is the ratio of the run times to the power p.")
 	)
 	add_mistake([-order], tr("The error falls while the run time grows: that is a positive order."))
 	if order > 1:
@@ -69,8 +69,10 @@ func _ask_cost(rng: RandomNumberGenerator) -> void:
 		)
 	else:
 		add_mistake([time * closer], tr("That is order 1: with order 2 twice the time leaves 1/4."))
-	add_mistake([time * closer ** 2], tr("That way the time would grow with the square."))
-	add_mistake([time], tr("A smaller error is not had for the same time."))
+	add_mistake(
+		[time * closer ** 2], tr("That is order 1/2: four times the time for half of the error.")
+	)
+	add_mistake([time], tr("A smaller error takes more time."))
 
 
 func _ask_frontier(rng: RandomNumberGenerator) -> void:
@@ -93,9 +95,10 @@ func _ask_frontier(rng: RandomNumberGenerator) -> void:
 		add_mistake([2.0], tr("B, too: nobody is both faster and closer than B."))
 	else:
 		add_mistake([3.0], tr("A is faster than B and C, and closer than both."))
-	add_mistake([4.0], tr("C is not: another one is faster and closer."))
+	add_mistake([4.0], tr("C is not on it: another one is both faster and closer."))
 	add_mistake(
-		[1.0], tr("Whoever is not beaten in both counts: the fastest and the closest at least.")
+		[1.0],
+		tr("Each one that no other beats in both counts: at least the fastest and the closest.")
 	)
 
 

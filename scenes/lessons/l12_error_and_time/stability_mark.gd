@@ -1,9 +1,10 @@
 class_name StabilityMark
 extends Control
-## The outcome of a case, by sign and colour: a tick, a cross, or an empty ring before it is tried.
+## The outcome of a case, by sign and colour: a tick, a cross, an empty ring before it is tried, a
+## dash if it is left out.
 
 ## What a case can come to.
-enum Outcome { WAITING, PASSED, FAILED }
+enum Outcome { WAITING, PASSED, FAILED, LEFT_OUT }
 
 const _RADIUS := 15.0
 
@@ -11,13 +12,24 @@ const _RADIUS := 15.0
 var outcome := Outcome.WAITING:
 	set(value):
 		outcome = value
-		accessibility_name = [tr("not tried yet"), tr("holds"), tr("does not hold")][value]
+		accessibility_name = _words(value)
 		queue_redraw()
 
 
 func _init() -> void:
 	custom_minimum_size = Vector2(_RADIUS, _RADIUS) * 2.4
 	mouse_filter = Control.MOUSE_FILTER_PASS
+
+
+static func _words(of: Outcome) -> String:
+	match of:
+		Outcome.PASSED:
+			return LabText.translate("holds")
+		Outcome.FAILED:
+			return LabText.translate("does not hold")
+		Outcome.LEFT_OUT:
+			return LabText.translate("not tried here")
+	return LabText.translate("not tried yet")
 
 
 func _draw() -> void:
@@ -33,6 +45,9 @@ func _draw() -> void:
 			draw_circle(middle, _RADIUS, Palette.color(Palette.Role.WRONG), true, -1.0, true)
 			_draw_stroke(middle, Vector2(-6.0, -6.0), Vector2(6.0, 6.0))
 			_draw_stroke(middle, Vector2(-6.0, 6.0), Vector2(6.0, -6.0))
+		Outcome.LEFT_OUT:
+			var half := Vector2(8.0, 0.0)
+			draw_line(middle - half, middle + half, Palette.BORDER, 3.0)
 
 
 func _draw_stroke(middle: Vector2, from: Vector2, to: Vector2) -> void:

@@ -8,11 +8,19 @@ extends HBoxContainer
 @onready var _figure: Label = %Figure
 
 
-## Shows a case with its result; null before it is tried.
-func show_case(case: StabilityCase, result: StabilityResult) -> void:
+## Shows a case that is left out here: in grey.
+func show_left_out(case: StabilityCase) -> void:
 	_title.text = case.title
-	if case.quick_form:
-		_title.text += tr(" (here: %s)") % case.quick_form
+	_criterion.text = case.criterion
+	_figure.text = tr("takes too long here")
+	_mark.outcome = StabilityMark.Outcome.LEFT_OUT
+	for label in [_title, _figure] as Array[Label]:
+		label.theme_type_variation = &"LabelQuiet"
+
+
+## Shows a case, as it is tried here, with its result; null before it is tried.
+func show_case(case: StabilityCase, result: StabilityResult) -> void:
+	_title.text = case.title_in_brief()
 	_criterion.text = case.criterion
 	_figure.text = result.figure if result else ""
 	if not result:

@@ -1,16 +1,23 @@
 class_name StabilityRun
 extends LiveRun
-## The stiff and extreme cases, tried one after the other in their quick form.
+## The stiff and extreme cases, tried one after the other, the long ones in their quick form. Long
+## ones without a quick form are left out.
 
-## The cases in the order of the table.
+## The cases that are tried, in the order of the table.
 var cases: Array[StabilityCase] = []
-## The results of the cases that have been tried, in the same order.
+## Those that take too long here.
+var left_out: Array[StabilityCase] = []
+## The results of the cases that have been tried, in their order.
 var results: Array[StabilityResult] = []
 
 
 ## Will try these cases.
 func _init(of_cases: Array[StabilityCase]) -> void:
-	cases = of_cases
+	for case in of_cases:
+		if case.has_quick_form():
+			cases.append(case)
+		else:
+			left_out.append(case)
 
 
 ## See [method LiveRun.size].

@@ -1,7 +1,8 @@
 class_name StabilityTable
 extends ScrollContainer
-## The table of stiff and extreme cases on the board, one row a case. It scrolls to the case that
-## was tried last; at the end to the first one that does not hold, or to the top.
+## The table of stiff and extreme cases on the board, one row a case; those that are left out here
+## are at its end. It scrolls to the case that was tried last; at the end to the first one that does
+## not hold, or to the top.
 
 const _ROW := preload("res://scenes/lessons/l12_error_and_time/stability_row.tscn")
 
@@ -13,9 +14,11 @@ var _shown := 0
 ## Shows the cases of [param run] with their results.
 func show_run(run: StabilityRun) -> void:
 	if _rows.get_child_count() == 0:
-		for case in run.cases:
+		for case in run.cases + run.left_out:
 			_rows.add_child(_ROW.instantiate())
 		_show_rows(run, 0, run.size())
+		for place in run.left_out.size():
+			row(run.size() + place).show_left_out(run.left_out[place])
 	_show_rows(run, mini(_shown, run.done_count()), maxi(_shown, run.done_count()))
 	if run.done_count() > 0 and run.done_count() != _shown:
 		var place := run.first_failure() if run.is_done() else run.done_count() - 1

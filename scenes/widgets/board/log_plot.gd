@@ -36,6 +36,7 @@ var _area := LogPlotArea.new()
 var _legend := PlotLegend.new()
 var _points: Array[PlotPoint] = []
 var _frontier: PackedInt32Array = []
+var _names: PackedStringArray = []
 var _hollow: Array[bool] = []
 var _chosen := -1
 
@@ -53,8 +54,8 @@ func _ready() -> void:
 ## Names the series, translated, and says which have hollow marks; the numbers of [PlotPoint] count
 ## them.
 func show_series(names: PackedStringArray, is_hollow: Array[bool]) -> void:
+	_names = names
 	_hollow = is_hollow
-	_legend.name_series(names, is_hollow, tr("frontier: none is faster and closer"))
 	_lay()
 
 
@@ -94,6 +95,8 @@ func _name_plot() -> void:
 
 
 func _lay() -> void:
+	var line_name := tr("frontier: none is faster and closer") if _frontier else ""
+	_legend.name_series(_names, _hollow, line_name)
 	var top := _legend.height(size.x - 2.0 * _MARGIN) + 2.0 * _MARGIN + 24.0
 	var corner := Vector2(_MARGIN_LEFT, top)
 	_area.field = Rect2(corner, size - corner - Vector2(2.0 * _MARGIN, _FOOT))

@@ -8,7 +8,7 @@ signal x_pointed(x: float)
 ## The click or drag that [signal x_pointed] told of has ended.
 signal released
 
-const _MARGIN_LEFT := 14.0
+const _MARGIN_LEFT := 56.0
 const _MARGIN_RIGHT := 14.0
 const _MARGIN_TOP := 30.0
 const _MARGIN_BOTTOM := 26.0
@@ -53,22 +53,33 @@ func _draw() -> void:
 	draw_style_box(get_theme_stylebox(&"panel", &"PanelCard"), Rect2(Vector2.ZERO, size))
 	_draw_axes()
 	if _function.is_valid():
+		_draw_values()
 		_draw_curve()
 		_draw_point()
 
 
 func _draw_axes() -> void:
 	var quiet := Palette.color(Palette.Role.QUIET)
-	_write(tr(title), Vector2(_MARGIN_LEFT, 20.0), quiet)
+	_write(tr(title), Vector2(_MARGIN_RIGHT, 20.0), quiet)
 	draw_line(_pixel(x_from, 0.0), _pixel(x_to, 0.0), Palette.AXIS, 1.5)
 	var x := x_from
 	while x <= x_to:
 		draw_line(_pixel(x, _y_reach), _pixel(x, -_y_reach), Palette.GRID, 1.0)
 		var text := NumberText.short(x) + x_unit
-		var width := _font().get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
+		var width := _width(text)
 		var left := clampf(_pixel(x, 0.0).x - width / 2.0, 4.0, size.x - width - 4.0)
 		_write(text, Vector2(left, size.y - 8.0), quiet)
 		x += x_step
+
+
+# Both ends of the y axis, and the value at the point.
+func _draw_values() -> void:
+	var quiet := Palette.color(Palette.Role.QUIET)
+	for y: float in [_y_reach, -_y_reach]:
+		var text := NumberText.short(y, 3)
+		_write(text, Vector2(_MARGIN_LEFT - 6.0 - _width(text), _pixel(0.0, y).y + 5.0), quiet)
+	var value := NumberText.short(_value_at(_x))
+	_write(value, Vector2(size.x - _MARGIN_RIGHT - _width(value), 20.0), Palette.color(role))
 
 
 func _draw_curve() -> void:
@@ -133,6 +144,10 @@ func _x_at(pixel: float) -> float:
 
 func _write(text: String, at: Vector2, color: Color) -> void:
 	draw_string(_font(), at, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
+
+
+func _width(text: String) -> float:
+	return _font().get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
 
 
 func _font() -> Font:

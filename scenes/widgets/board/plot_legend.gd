@@ -16,7 +16,7 @@ var _line_name := ""
 
 
 ## Names the series, translated, and says which have hollow marks; [param line_name] is the text
-## beside a dashed line.
+## beside a dashed line, "" where there is none.
 func name_series(names: PackedStringArray, is_hollow: Array[bool], line_name: String) -> void:
 	_names = names
 	_is_hollow = is_hollow
@@ -35,7 +35,7 @@ func draw(canvas: Control, corner: Vector2, width: float) -> void:
 		var at := corner + places[i] + Vector2(PlotMark.RADIUS + 3.0, _ROW / 2.0)
 		PlotMark.draw(canvas, i, at, _is_hollow[i])
 		_write(canvas, _names[i], at + Vector2(_BESIDE, 0.0), Palette.color(Palette.Role.INK))
-	if _names:
+	if _line_name:
 		var start := corner + places[-1] + Vector2(0.0, _ROW / 2.0)
 		var end := start + Vector2(_STROKE, 0.0)
 		var color := Palette.color(Palette.Role.INK)
@@ -47,7 +47,7 @@ func draw(canvas: Control, corner: Vector2, width: float) -> void:
 func _places(width: float) -> PackedVector2Array:
 	var places: PackedVector2Array = []
 	var at := Vector2.ZERO
-	for text in _names + PackedStringArray([_line_name]):
+	for text in _names + PackedStringArray([_line_name] if _line_name else []):
 		var wide := _width_of(text) + _BESIDE + PlotMark.RADIUS + 3.0
 		if at.x > 0.0 and at.x + wide > width:
 			at = Vector2(0.0, at.y + _ROW)

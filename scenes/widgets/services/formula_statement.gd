@@ -12,8 +12,11 @@ extends RefCounted
 const RESULT_DIGITS := 4
 ## A sum of at most this share of its terms is rounding: a few units in the last place.
 const ROUNDING := 1.0 / 2.0 ** 50
-## Where the result is 0, the numbers as they are shown must give less than this share of the terms.
-const NEARLY_ZERO := 1e-6
+## Where the result is 0, the numbers as they are shown must give less than this share of the terms,
+## and with few digits next to nothing: they would look exact.
+const NEARLY_ZERO := 1e-8
+const _ZERO := 1e-12
+const _FEW_DIGITS := 5
 
 # What a student types is this long at most; a longer number comes from a drag or a turn.
 const _LONGEST_TYPED := 10
@@ -30,6 +33,7 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
 	"\\|([^|]*)\\|": "abs($1)",
+	"cos (n\\d+)°": "cos(deg_to_rad($1))",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
 	"(?<![\\w.])(\\d+)(?![\\w.])": "$1.0",
 }
@@ -48,6 +52,8 @@ var _sizes: PackedInt32Array = []
 var _alone: PackedInt32Array = []
 # The place of the result among the names; -1 where nothing can be checked.
 var _result := -1
+# How many digits the result has now.
+var _result_digits := RESULT_DIGITS
 # For each component the sides that can be computed, and the same with the sizes of all terms added.
 var _computed: Array[Array] = [[], []]
 var _added: Array[Array] = [[], []]
@@ -87,7 +93,9 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 		if _sizes[place] == 0:
 			found.append("")
 		elif place == _result:
-			found.append(_text(numbers[_names[place]], terms, RESULT_DIGITS, true))
+			found.append(
+				_text(numbers[_names[place]], _scales(numbers, terms), _result_digits, true)
+			)
 		else:
 			var number := numbers[_names[place]]
 			var scales: PackedFloat64Array = [number.scale, number.scale]
@@ -139,11 +147,13 @@ func _names_in(side: String) -> PackedInt32Array:
 	return places
 
 
-func _add_computed(side: String) -> void:
+# What is before a colon are words.
+func _add_computed(whole_side: String) -> void:
+	var side := whole_side.get_slice(": ", whole_side.get_slice_count(": ") - 1)
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("n\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string("cos n\\d+°|n\\d+").sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:
@@ -160,34 +170,47 @@ func _append_parsed(expressions: Array, text: String) -> void:
 		expressions.append(expression)
 
 
-# For each component of the result the sum of the sizes of the terms that were added to get it.
+# For each component of the result the sum of the sizes of the terms that the statement shows.
 func _terms(numbers: Dictionary[String, Number]) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	if _result >= 0:
 		var result := numbers[_names[_result]]
 		for component in result.components.size():
-			var terms := result.scale
+			var terms := 0.0
 			for expression: Expression in _added[component]:
 				terms = maxf(terms, _value(expression, _inputs(numbers, component, 17, true)))
 			found.append(terms)
 	return found
 
 
+# The same, with the terms that it does not show.
+func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> PackedFloat64Array:
+	var scales := terms.duplicate()
+	for component in scales.size():
+		scales[component] = maxf(terms[component], numbers[_names[_result]].scale)
+	return scales
+
+
+# Where rounding leaves little of the result, only its first digits hold.
 func _digits_that_hold(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> int:
-	for digits in _DIGITS:
-		if _holds(numbers, terms, digits):
-			return digits
+	for result_digits in range(RESULT_DIGITS, 0, -1):
+		_result_digits = result_digits
+		for digits in _DIGITS:
+			if _holds(numbers, terms, digits):
+				return digits
+	_result_digits = RESULT_DIGITS
 	return RESULT_DIGITS
 
 
 # Whether the numbers as they are shown with so many digits give the result as it is shown.
 func _holds(numbers: Dictionary[String, Number], terms: PackedFloat64Array, digits: int) -> bool:
+	var scales := _scales(numbers, terms)
 	for component in terms.size():
 		var result := numbers[_names[_result]].components[component]
-		var shown := _shown(result, terms[component], RESULT_DIGITS)
-		var tolerance := NumberText.last_digit(result, RESULT_DIGITS)
+		var shown := _shown(result, scales[component], _result_digits)
+		var tolerance := NumberText.last_digit(result, _result_digits)
 		if shown == 0.0:
-			tolerance = NEARLY_ZERO * terms[component]
+			tolerance = terms[component] * (_ZERO if digits <= _FEW_DIGITS else NEARLY_ZERO)
 		for expression: Expression in _computed[component]:
 			var value := _value(expression, _inputs(numbers, component, digits, false))
 			if absf(value - shown) > tolerance * 1.0001:
@@ -225,9 +248,9 @@ static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alo
 			value = 0.0
 		texts.append(NumberText.short(value, digits))
 	var text := texts[0] if texts.size() == 1 else "(%s)" % ", ".join(texts)
-	if rounding > 0.0:
+	if rounding > 0.0 and is_alone:
 		text += " " + LabText.translate("(rounding: %s)") % NumberText.size(rounding)
-	elif texts.size() == 1 and number.components[0] < 0.0 and not is_alone:
+	elif texts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:
 		text = "(%s)" % text
 	return text
 

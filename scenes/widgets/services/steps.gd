@@ -89,16 +89,13 @@ func go_back() -> void:
 
 ## When the student goes to the step [param before] for the first time, asks [param prompt],
 ## translated, instead; the step is shown when the student goes on. What the three callables do is
-## in [Prediction]. For a point on the board and for a choice, use [Lesson].
-func ask_before(
-	before: int, prompt: String, ask: Callable, judge: Callable, end: Callable
-) -> void:
-	var prediction := Prediction.new()
+## in [Prediction]. Called again for the same step, it only changes them.
+func ask_before(before: int, prompt: String, ask: Callable, judge: Callable, end: Callable) -> void:
+	var prediction: Prediction = _questions.get_or_add(before, Prediction.new())
 	prediction.prompt = prompt
 	prediction.ask = ask
 	prediction.judge = judge
 	prediction.end = end
-	_questions[before] = prediction
 
 
 ## The same with a button below the sentence for each of the translated [param choices].

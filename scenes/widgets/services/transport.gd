@@ -16,7 +16,8 @@ const STEP_SECONDS := 1.0 / 60.0
 ## Slow motion runs at this share of real time.
 const SLOW_SHARE := 0.2
 
-const _PAUSE := preload("res://assets/icons/pause.svg")
+## What the button shows while time runs: a press pauses it.
+@export var pause_sign: Texture2D
 
 ## Time runs by itself.
 var is_playing: bool:
@@ -54,7 +55,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 func _run(is_playing_now: bool) -> void:
 	set_process(is_playing_now)
-	_play.icon = _PAUSE if is_playing_now else _play_sign
+	_play.icon = pause_sign if is_playing_now else _play_sign
 	if not is_playing_now:
 		halted.emit()
 

@@ -7,8 +7,6 @@ extends StabilityFamily
 const _DIGITS: PackedInt32Array = [3, 31, 314, 3141, 31415, 314159, 3141592]
 # With this number of impacts or more, the full form is long.
 const _LONG := 314159
-# The largest n of the quick form.
-const _QUICK_N := 4
 
 const _RATIOS: PackedFloat64Array = [1e-12, 1e-6, 7.0, 1e6, 1e12]
 
@@ -20,7 +18,7 @@ func cases() -> Array[StabilityCase]:
 		var title := tr("Digits of pi, mass ratio 100^%d") % n
 		var case := _case(title, _criterion(), _try_digits.bind(n))
 		if _DIGITS[n] >= _LONG:
-			case.with_quick_form(tr("mass ratio 100^%d") % _QUICK_N)
+			case.without_quick_form()
 		found.append(case)
 	found.append(_digits_in_the_world())
 	for ratio in _RATIOS:
@@ -35,17 +33,11 @@ func _criterion() -> String:
 
 
 func _digits_in_the_world() -> StabilityCase:
-	var case := _case(
-		tr("Digits of pi by two balls and a segment in the event world, mass ratio 100^4"),
-		_criterion(),
-		_try_digits_in_the_world
-	)
-	return case.with_quick_form(tr("mass ratio 100^%d") % 2)
+	var title := tr("Digits of pi by two balls and a segment in the event world, mass ratio 100^%d")
+	return _case(title % 4, _criterion(), _try_digits_in_the_world).with_quick_form(title % 2)
 
 
-func _try_digits(is_quick: bool, n: int) -> StabilityResult:
-	if is_quick:
-		n = mini(n, _QUICK_N)
+func _try_digits(_is_quick: bool, n: int) -> StabilityResult:
 	var blocks := TwoBlocks.new()
 	_need(blocks.start(100.0 ** n))
 	while blocks.run(1000000):

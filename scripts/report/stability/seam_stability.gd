@@ -13,31 +13,21 @@ const _MOST_IMPACTS := 2000
 
 ## See [method StabilityFamily.cases].
 func cases() -> Array[StabilityCase]:
-	var pieces := tr("%d segments") % _QUICK_PIECES
 	return [
-		(
-			_case(
-				tr("Sliding over 1000 segments in a row, with gravity"),
-				tr("no hop above 1e-9 px, speed within 1e-12"),
-				_try_sliding
-			)
-			. with_quick_form(pieces)
+		_row_case(
+			tr("Sliding over %d segments in a row, with gravity"),
+			tr("no hop above 1e-9 px, speed within 1e-12"),
+			_try_sliding
 		),
-		(
-			_case(
-				tr("Flying along 1000 segments in a row, just touching"),
-				tr("no impact, straight on to the last bit"),
-				_try_touching
-			)
-			. with_quick_form(pieces)
+		_row_case(
+			tr("Flying along %d segments in a row, just touching"),
+			tr("no impact, straight on to the last bit"),
+			_try_touching
 		),
-		(
-			_case(
-				tr("Bouncing over 1000 segments in a row, onto every seam"),
-				tr("one bounce a segment, speed along within 1e-12"),
-				_try_bouncing
-			)
-			. with_quick_form(pieces)
+		_row_case(
+			tr("Bouncing over %d segments in a row, onto every seam"),
+			tr("one bounce a segment, speed along within 1e-12"),
+			_try_bouncing
 		),
 		_case(
 			tr("Between parallel walls 2 r + 1e-12 px apart, 1e-9 px/s across"),
@@ -50,6 +40,11 @@ func cases() -> Array[StabilityCase]:
 			_try_too_narrow
 		),
 	]
+
+
+# A case whose [param title] has a place for the number of segments.
+func _row_case(title: String, criterion: String, trial: Callable) -> StabilityCase:
+	return _case(title % _PIECES, criterion, trial).with_quick_form(title % _QUICK_PIECES)
 
 
 # The ball lies on the first segment and has a speed along the floor.

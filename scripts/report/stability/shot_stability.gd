@@ -15,13 +15,10 @@ const _MOST_IMPACTS := 1000
 
 ## See [method StabilityFamily.cases].
 func cases() -> Array[StabilityCase]:
-	var shots := _case(
-		tr("10^6 random shots at 1e-3 to 1e9 px/s in a closed star of 14 segments"),
-		tr("no ball ever outside, or closer to a segment than r - 1e-9 px"),
-		_try_shots
-	)
+	var title := tr("%s random shots at 1e-3 to 1e9 px/s in a closed star of 14 segments")
+	var criterion := tr("no ball ever outside, or closer to a segment than r - 1e-9 px")
 	return [
-		shots.with_quick_form(tr("%d shots") % _QUICK_SHOTS),
+		_case(title % "10^6", criterion, _try_shots).with_quick_form(title % _QUICK_SHOTS),
 		_case(
 			tr("A shot so fast that it would bounce millions of times a second"),
 			tr("refused with a sentence, still in the room"),

@@ -5,8 +5,8 @@ extends StabilityFamily
 ## through them, and it crosses one of their sides at each bounce.
 
 const _DEGREES: PackedFloat64Array = [60.0, 10.0, 1.0, 0.01]
-# The sharpest wedge of the quick form.
-const _QUICK_DEGREES := 1.0
+# The trial of a sharper wedge takes long.
+const _SHARP := 1.0
 
 const _RADIUS := 10.0
 # The distance of the ball's centre at the start from the corner of the wedge in which the centre
@@ -24,8 +24,8 @@ func cases() -> Array[StabilityCase]:
 		var title := tr("A ball shot into a wedge of %s°") % NumberText.short(degrees)
 		var criterion := tr("%d bounces, speed within 1e-12") % _bounces(degrees)
 		var case := _case(title, criterion, _try_wedge.bind(degrees))
-		if degrees < _QUICK_DEGREES:
-			case.with_quick_form(tr("a wedge of %s°") % NumberText.short(_QUICK_DEGREES))
+		if degrees < _SHARP:
+			case.without_quick_form()
 		found.append(case)
 	return found
 
@@ -35,9 +35,7 @@ func _bounces(degrees: float) -> int:
 
 
 # The wedge opens to the right, its corner is at the origin.
-func _try_wedge(is_quick: bool, degrees: float) -> StabilityResult:
-	if is_quick:
-		degrees = maxf(degrees, _QUICK_DEGREES)
+func _try_wedge(_is_quick: bool, degrees: float) -> StabilityResult:
 	var half := Vec2.deg_to_rad(degrees / 2.0)
 	# The ball's centre can move in a wedge whose sides are one radius inside those of the wedge.
 	var corner_x := _RADIUS / sin(half)

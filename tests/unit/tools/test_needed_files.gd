@@ -11,7 +11,7 @@ const _FOLDER := "res://tests/data/export/"
 func test_classes_paths_parents_and_what_scenes_name_are_followed() -> void:
 	var needed := NeededFiles.new([_FOLDER + "start.gd"])
 	var wanted: PackedStringArray = [
-		"res://assets/icons/undo.svg",
+		"res://assets/icons/next_impact.svg",
 		"res://scripts/lesson/exercise.gd",
 		"res://scripts/lesson/lesson_info.gd",
 		_FOLDER + "beside.gd",

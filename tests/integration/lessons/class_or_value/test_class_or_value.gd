@@ -5,6 +5,7 @@ extends ScreenTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"class_or_value"))
+	await go_to_step(2)
 
 
 func test_it_starts_with_one_object_that_moved_under_both_names() -> void:

@@ -75,6 +75,7 @@ func test_a_head_that_lies_on_the_other_arrow_can_be_taken() -> void:
 
 
 func test_a_head_behind_the_graph_can_be_taken() -> void:
+	await go_to_step()
 	var plot := Screen.named(screen(), "a · b for each angle")
 	var lesson := frame().lesson
 	var middle := (

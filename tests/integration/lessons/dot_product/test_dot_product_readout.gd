@@ -1,8 +1,13 @@
 extends DotProductTest
 ## The dot product beside the primitive way: values, errors and run times as the readout has them.
 
-const _DOT := "dot product"
-const _PRIMITIVE := "atan2 and cos"
+const _DOT := "a · b\u0302 by the dot product"
+const _PRIMITIVE := "by atan2 and cos"
+
+
+func before_each() -> void:
+	await super()
+	await go_to_step()
 
 
 func test_the_dot_product_is_exact_for_the_lecture() -> void:
@@ -26,8 +31,8 @@ func test_the_primitive_way_sees_a_shadow_where_there_is_none_for_huge_vectors()
 
 func test_the_error_of_the_forgotten_normalization_is_45() -> void:
 	await click_button("Normalize")
-	assert_eq(_row(_DOT)[1], "50")
-	assert_eq(_row(_DOT)[2], "45")
+	assert_eq(_row("a · b by the dot product")[1], "50")
+	assert_eq(_row("a · b by the dot product")[2], "45")
 
 
 func test_zero_vectors_give_zero_both_ways() -> void:

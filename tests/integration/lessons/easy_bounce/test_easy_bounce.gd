@@ -7,6 +7,7 @@ const _PARTS_OF_STEPS: Array[String] = ["%Before", "%Shortest", "%RightBall", "%
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"easy_bounce"))
+	await go_to_step(EasyBounceTexts.Step.BOUNCE)
 
 
 func test_it_starts_with_a_level_floor_and_no_error() -> void:

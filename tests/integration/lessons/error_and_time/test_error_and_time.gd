@@ -8,12 +8,94 @@ func before_each() -> void:
 	await open_lesson(LessonIndex.find(&"error_and_time"))
 
 
-func test_it_measures_by_itself_and_tells_of_the_closest_point() -> void:
+func test_it_measures_by_itself_and_gives_no_answer_at_the_first_step() -> void:
 	assert_gt(_run().done_count(), 0)
 	await _finish_measuring()
 	assert_reads("Done")
+	assert_reads("Each mark is a method")
+	assert_eq(_plot().chosen(), -1)
+	assert_does_not_read("frontier")
+	assert_does_not_read("closest")
+	assert_does_not_read("log(")
+
+
+func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() -> void:
+	await _finish_measuring()
+	_steps().go_to(1)
+	await student.settle()
 	assert_reads("on the frontier")
+	assert_reads("closest")
 	assert_eq(_plot().chosen(), _frontier()[-1])
+	assert_does_not_read("log(")
+
+
+func test_it_asks_before_the_frontier_and_before_the_order() -> void:
+	await _finish_measuring()
+	await student.press(&"lab_next_step")
+	assert_reads("which method has the smallest error?")
+	await click_button("the slowest")
+	var is_slowest := _model().rank_of_closest() == 2
+	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
+	await student.press(&"lab_next_step")
+	await click_button("1/2")
+	assert_reads("No: it is 1/4")
+	assert_eq(frame().lesson.step, 2)
+
+
+func test_what_is_said_of_each_point_is_true_in_several_problems() -> void:
+	_steps().go_to(1)
+	for problem: int in [0, 1, 2, 6]:
+		await _pick("What is measured", problem)
+		await _finish_measuring()
+		var there := _run().measurements()
+		for place in there.size():
+			_plot().call(&"_choose", place)
+			await student.settle()
+			var beaten := there.any(
+				func(other: Measurement) -> bool: return _beats(other, there[place])
+			)
+			var title := "%s of problem %d" % [there[place].method, problem]
+			assert_ne(Screen.reads(screen(), "on the frontier"), beaten, title)
+			var fastest: float = there.map(_time_of).min()
+			var times := NumberText.short(there[place].run_time_us / fastest, 3)
+			assert_eq(_readout_text(3, 3), times, title)
+		assert_eq(_model().rank_of_closest(), _rank_of_closest(there), "problem %d" % problem)
+
+
+func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	var place := _place_with_an_order()
+	student.move_to(_pixel(place))
+	await student.settle()
+	var lines := Screen.lines(frame().lesson.services[&"formula"] as Formula)
+	assert_string_contains(lines[0], "p = log( e₁ / e₂ ) / log( t₂ / t₁ )")
+	assert_string_contains(lines[3], "p = log( ")
+	var shown := lines[3].get_slice(" = ", 2).replace("\u2212", "-").to_float()
+	var there := _run().measurements()
+	var order := ErrorAndTimeModel.order(
+		there[place], there[ErrorAndTimeModel.neighbour(there, place)]
+	)
+	assert_almost_eq(shown, order, absf(order) * 1e-3)
+
+
+func test_where_there_is_no_order_the_formula_says_why() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	for place in _run().measurements().size():
+		student.move_to(_pixel(place))
+		await student.settle()
+		var there := _run().measurements()
+		var other := ErrorAndTimeModel.neighbour(there, place)
+		var has_order := (
+			other >= 0 and not is_nan(ErrorAndTimeModel.order(there[place], there[other]))
+		)
+		assert_eq(
+			Screen.lines(frame().lesson.services[&"formula"] as Formula).size() == 4,
+			has_order,
+			there[place].method
+		)
+		assert_does_not_read("NaN")
 
 
 func test_the_scene_says_which_problem_is_measured_first() -> void:
@@ -38,7 +120,7 @@ func test_points_appear_one_by_one_while_the_window_stays_alive() -> void:
 
 
 func test_p_stops_where_it_is_and_goes_on() -> void:
-	await _measure_anew()
+	await _measure_again()
 	await student.press(&"lab_pause")
 	var runs := _run().done_count()
 	await student.settle()
@@ -48,8 +130,8 @@ func test_p_stops_where_it_is_and_goes_on() -> void:
 	assert_gt(_run().done_count(), runs)
 
 
-func test_the_button_stops_and_measures_anew() -> void:
-	await _measure_anew()
+func test_the_button_stops_and_measures_again() -> void:
+	await _measure_again()
 	await click_button("Stop")
 	assert_false(_run().is_going)
 	await click_button("Measure")
@@ -65,7 +147,7 @@ func test_the_mouse_on_a_point_tells_method_error_and_run_time() -> void:
 		await student.settle()
 		var measured := _run().measurements()[place]
 		assert_reads(ErrorAndTimeTexts.run_time(measured.run_time_us))
-		assert_reads(measured.method)
+		assert_reads(MeasuredTexts.of(measured.method))
 		assert_eq(_plot().chosen(), place)
 
 
@@ -94,7 +176,7 @@ func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
 
 
 func test_the_tab_key_reaches_the_plot() -> void:
-	(Screen.button(screen(), "Copy a link to this board")).grab_focus()
+	Screen.button(screen(), "Motion").grab_focus()
 	await student.press_key(KEY_TAB)
 	assert_true(_plot().has_focus())
 
@@ -116,14 +198,14 @@ func test_a_link_to_a_situation_measures_it_at_once() -> void:
 	assert_true(_run().is_going)
 
 
-func test_reset_begins_anew() -> void:
+func test_reset_measures_again() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_reset")
 	assert_eq(_run().done_count(), 0)
 
 
 func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	assert_false(_plot().is_visible_in_tree())
 	assert_true(_table().is_visible_in_tree())
 	while _model().stability.is_going:
@@ -131,15 +213,29 @@ func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() ->
 	await student.settle()
 	var run := _model().stability
 	assert_gt(run.size(), 20)
-	assert_reads("%d of %d tried hold" % [run.passed_count(), run.size()])
+	assert_reads("Tried %d of %d: %d hold." % [run.size(), run.size(), run.passed_count()])
+	assert_reads("%d more take too long here." % run.left_out.size())
+	for place in run.left_out.size():
+		var row := _table().row(run.size() + place)
+		assert_eq(row.outcome(), StabilityMark.Outcome.LEFT_OUT, run.left_out[place].title)
 	for place in run.size():
 		var holds := _table().row(place).outcome() == StabilityMark.Outcome.PASSED
 		assert_eq(holds, run.results[place].passed, run.cases[place].title)
 		assert_reads(run.results[place].figure)
 
 
+func test_no_row_says_that_more_was_tried_than_was() -> void:
+	await _open_stability()
+	await student.settle()
+	for place in _model().stability.size():
+		var case: StabilityCase = _model().stability.cases[place]
+		if case.is_long:
+			assert_reads(case.quick_title)
+			assert_does_not_read(case.title)
+
+
 func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	await click_button("Stop")
 	var done := _model().stability.done_count()
 	await student.settle()
@@ -150,7 +246,7 @@ func test_trying_can_be_stopped_and_the_first_page_comes_back_by_undo() -> void:
 
 
 func test_the_table_fits_at_every_size() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	for size: Vector2i in [
 		Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
 	]:
@@ -159,7 +255,7 @@ func test_the_table_fits_at_every_size() -> void:
 
 
 func test_a_problem_chosen_from_the_table_leads_back_to_the_plot() -> void:
-	await click_button("Stability")
+	await _open_stability()
 	await _pick("What is measured", 0)
 	assert_true(_plot().is_visible_in_tree())
 	assert_eq(_model().problem().id, "scalar_projection")
@@ -174,6 +270,55 @@ func test_a_question_names_the_mistake() -> void:
 
 func _model() -> ErrorAndTimeModel:
 	return frame().lesson.get(&"_model")
+
+
+func _steps() -> Steps:
+	return frame().lesson.services[&"steps"] as Steps
+
+
+# Faster and not worse, or closer and not slower.
+func _beats(one: Measurement, other: Measurement) -> bool:
+	if one.run_time_us > other.run_time_us or not one.error <= other.error:
+		return false
+	return one.run_time_us < other.run_time_us or one.error < other.error
+
+
+func _time_of(one: Measurement) -> float:
+	return one.run_time_us
+
+
+# 0 if the smallest error is the fastest one's, 2 if it is the slowest one's, else 1.
+func _rank_of_closest(all: Array[Measurement]) -> int:
+	if all.size() < 3:
+		return -1
+	var times: Array = all.map(_time_of)
+	var closest := all[0]
+	for one in all:
+		var is_faster := one.error == closest.error and one.run_time_us < closest.run_time_us
+		closest = one if one.error < closest.error or is_faster else closest
+	if closest.run_time_us == times.min():
+		return 0
+	return 2 if closest.run_time_us == times.max() else 1
+
+
+func _readout_text(row: int, column: int) -> String:
+	var readout := frame().lesson.services[&"readout"] as Readout
+	return (readout.get_child(row * readout.columns + column) as Label).text
+
+
+# The last entry in the list of problems.
+func _open_stability() -> void:
+	await _pick("What is measured", _model().problems.size())
+
+
+# A measurement that has an order together with its neighbour.
+func _place_with_an_order() -> int:
+	var there := _run().measurements()
+	for place in there.size():
+		var other := ErrorAndTimeModel.neighbour(there, place)
+		if other >= 0 and not is_nan(ErrorAndTimeModel.order(there[place], there[other])):
+			return place
+	return -1
 
 
 func _run() -> MeasuringRun:
@@ -200,7 +345,7 @@ func _pixel(place: int) -> Vector2:
 	return _plot().get_global_transform() * _plot().pixel_of(place)
 
 
-func _measure_anew() -> void:
+func _measure_again() -> void:
 	await _finish_measuring()
 	await click_button("Measure")
 

@@ -5,6 +5,7 @@ extends BallLessonTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"line_distance"))
+	await go_to_step()
 
 
 func test_it_starts_with_a_free_ball_and_its_distance() -> void:

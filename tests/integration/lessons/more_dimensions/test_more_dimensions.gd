@@ -7,6 +7,7 @@ const _HALF_A_HANDLE := Vector2(Handle.TOUCH_SIZE, Handle.TOUCH_SIZE) / 2.0
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"more_dimensions"))
+	await go_to_step()
 
 
 func test_the_first_sight_is_an_acute_angle_in_space() -> void:
@@ -134,7 +135,7 @@ func _numbers(key: String) -> PackedFloat64Array:
 	return held
 
 
-# A handle of the bars bears the same name as its field.
+# A handle of the bars has the same name as its field.
 func _field(title: String) -> LineEdit:
 	var panel := frame().get_node("%Panel")
 	return Screen.named(panel, title) as LineEdit

@@ -8,6 +8,7 @@ const _PATIENCE := 3000
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"projection_proof"))
+	await go_to_step()
 
 
 func after_each() -> void:

@@ -204,6 +204,59 @@ func test_the_forecast_is_what_happens() -> void:
 	assert_vec2(forecast.next_bounce.position, model.last_bounce.position, 0.0)
 
 
+func test_no_energy_is_told_where_there_is_none_or_a_ball_took_it_along() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(5)
+	model.set_method(SteppingMethods.Method.POSITION_RESET)
+	for frame: int in 60:
+		model.step()
+	assert_true(is_nan(model.energy_share(model.world)), "lost")
+	assert_no_refusal(model.set_gravity(Vec2.new()))
+	model.fetch_balls()
+	assert_no_refusal(model.change_ball(Vec2.new(), Vec2.new()))
+	assert_true(is_nan(model.energy_share(model.world)), "no energy at the start")
+
+
+func test_a_lost_ball_has_no_error_and_energy_from_nothing_is_marked() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(5)
+	var row := _row_after(model.world, 60, SteppingMethods.Method.POSITION_RESET)
+	assert_eq([row[1], row[2]], ["1 lost", "–"])
+	model.set_up(3)
+	row = _row_after(model.world, 600, SteppingMethods.Method.POINT_OF_IMPACT)
+	assert_string_contains(row[1], "✗")
+	assert_string_contains(row[2], "≥ ")
+	row = _row_after(model.world, 600, SteppingMethods.Method.WHOLE_FRAME)
+	assert_eq(row[2], "–", "with C = 0.5 energy must be lost")
+
+
+func test_a_mistake_is_not_shown_beside_the_way_that_makes_it() -> void:
+	var model := AngledLinesModel.new()
+	model.set_mistake(24)
+	model.set_method(SteppingMethods.Method.POINT_OF_IMPACT)
+	assert_eq(model.mistake, 0)
+	assert_null(model.wrong_world)
+	model.set_method(SteppingMethods.Method.WHOLE_FRAME)
+	model.set_mistake(26)
+	model.set_method(SteppingMethods.Method.POINT_OF_IMPACT)
+	assert_eq(model.mistake, 26)
+
+
+func test_a_ball_put_outside_of_all_lines_is_brought_back_to_where_it_began() -> void:
+	var model := AngledLinesModel.new()
+	assert_no_refusal(model.move_ball(Vec2.new(-100.0, -50.0)))
+	assert_no_refusal(model.move_ball(Vec2.new(500.0, 0.0)))
+	while model.world.lost_count() == 0:
+		model.step()
+	model.fetch_balls()
+	assert_vec2(model.ball().position, Vec2.new(-100.0, -50.0), 0.0)
+
+
+func test_every_mistake_says_in_words_what_its_test_checks() -> void:
+	for mistake: MistakeInfo in AngledLinesMistakes.all():
+		assert_true(mistake.checks.ends_with("."), mistake.title)
+
+
 func test_the_comparison_shows_what_each_way_loses_in_a_minute() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(9)
@@ -244,6 +297,18 @@ func test_the_velocities_asked_for_are_what_the_world_does() -> void:
 		assert_almost_eq(gravity.right_answer[0], speed, 0.07, gravity.prompt)
 
 
+func test_every_question_tells_its_mistakes_apart() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 14
+	var unclear: PackedStringArray = []
+	for kind: int in SteppingExercise.Kind.size():
+		for question: int in 500:
+			var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
+			if not exercise.tells_mistakes_apart():
+				unclear.append(exercise.prompt)
+	assert_eq(unclear, PackedStringArray())
+
+
 func test_wrong_answers_are_named() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 13
@@ -252,6 +317,16 @@ func test_wrong_answers_are_named() -> void:
 		assert_gt(exercise.mistakes.size(), 0)
 		for mistake: Exercise.Mistake in exercise.mistakes:
 			assert_eq(exercise.check(mistake.answer).sentence, mistake.sentence)
+
+
+func _row_after(
+	world: SteppedWorld, frames: int, method: SteppingMethods.Method
+) -> PackedStringArray:
+	var comparison := MethodComparison.new()
+	comparison.begin(world)
+	while comparison.frames() < frames and comparison.advance(1000, AngledLinesModel.FRAME):
+		pass
+	return AngledLinesTexts.comparison(comparison, method)
 
 
 # A ball that touches two lines from between them.

@@ -12,6 +12,7 @@ class FakeFamily:
 			var trial := func(_is_quick: bool) -> StabilityResult:
 				return StabilityResult.new("7 px", outcome)
 			found.append(_case("a case", "holds", trial))
+			found.append(_case("long", "holds", trial).without_quick_form())
 		return found
 
 
@@ -24,6 +25,12 @@ func test_cases_are_tried_in_their_order_and_those_that_hold_are_counted() -> vo
 	assert_eq(run.passed_count(), 2)
 	assert_eq(run.first_failure(), 1)
 	assert_true(run.is_done())
+
+
+func test_a_long_case_without_a_quick_form_is_neither_tried_nor_counted() -> void:
+	var run := StabilityRun.new(FakeFamily.new().cases())
+	assert_eq([run.size(), run.left_out.size()], [3, 3])
+	assert_eq(run.left_out[0].title, "long")
 
 
 func test_a_slice_tries_one_case_at_least_and_can_be_stopped_after_it() -> void:

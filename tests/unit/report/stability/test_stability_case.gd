@@ -46,8 +46,25 @@ func test_a_refusal_is_forgotten_by_the_next_case() -> void:
 
 func test_the_quick_form_is_named_and_asked_for() -> void:
 	var case := GivenFamily.new().cases()[4]
-	assert_eq([case.is_long, case.quick_form], [true, "shorter"])
+	assert_eq([case.is_long, case.title_in_brief()], [true, "shorter"])
 	assert_eq([case.run(true).figure, case.run().figure], ["true", "false"])
+	assert_true(case.has_quick_form())
+
+
+func test_a_long_case_may_have_no_quick_form_and_keeps_its_title() -> void:
+	var case := GivenFamily.new().cases()[0]
+	assert_true(case.has_quick_form(), "a short case is its own")
+	case.without_quick_form()
+	assert_eq([case.is_long, case.has_quick_form()], [true, false])
+	assert_eq(case.title_in_brief(), "equal")
+
+
+func test_what_is_tried_in_brief_is_told_apart_from_every_other_case() -> void:
+	var titles: PackedStringArray = []
+	for case in StabilityCases.all():
+		if case.has_quick_form():
+			assert_does_not_have(titles, case.title_in_brief())
+			titles.append(case.title_in_brief())
 
 
 func test_every_case_says_what_is_tried_and_what_must_hold() -> void:

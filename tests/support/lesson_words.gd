@@ -1,0 +1,105 @@
+class_name LessonWords
+extends RefCounted
+## The words in the formula of each lesson, for [FormulaReader].
+
+const _WORDS: Dictionary[StringName, Dictionary] = {
+	&"class_or_value": {words = ["Vector2(…)"]},
+	&"easy_bounce":
+	{
+		words =
+		[
+			"easy:",
+			"right:",
+			"tilt",
+			"frame",
+			"hit",
+			"no hit",
+			"no hit: it stays where it is",
+			"floor − y",
+			"wall − x",
+			"y = floor − r",
+			"x = wall − r",
+		],
+		not_shown = ["L", "n̂"],
+	},
+	&"normals": {words = ["from"], meanings = {x = "v.x", y = "v.y"}},
+	&"projection_proof":
+	{words = ["on the way:", "signed length of p"], meanings = {"b̂": "b / |b|"}},
+	&"line_distance":
+	{
+		words =
+		[
+			"line:",
+			"to",
+			"at",
+			"to the segment:",
+			"gap",
+			"wrong:",
+			"y of the line − y of c",
+			"a vertical line has no y at the ball's x",
+		],
+		not_shown = ["p"],
+	},
+	&"point_of_impact":
+	{
+		words =
+		[
+			"line:",
+			"to",
+			"wrong:",
+			"not needed",
+			"none",
+			"any t",
+			"reset",
+			"reset:",
+			"POI:",
+			"t:",
+			"none, b is 0",
+			"divides by 0",
+		],
+		not_shown = ["n̂"],
+	},
+	&"reflection": {words = ["is not 1: refused.", "stays", "mistake:"]},
+	&"line_ends":
+	{
+		words =
+		[
+			"along the line, no time of impact",
+			"the ball does not move. Do not divide by a.",
+			"no root. This end is not touched.",
+			"the line is met first",
+			"moving away: none",
+			"overlap: t = 0",
+			"counts",
+			"none",
+		],
+	},
+	&"more_dimensions":
+	{
+		words =
+		[
+			"the angle is above 90°",
+			"the angle is below 90°",
+			"a zero vector makes no angle",
+			"a right angle",
+		],
+	},
+	&"error_and_time":
+	{
+		words =
+		[
+			"Point at a mark with a line:",
+			"its slope is the order p.",
+			"One of the two settings has no answer.",
+			"One of the two errors is 0.",
+			"Both settings take the same time.",
+			"So there is no order p.",
+		],
+	},
+}
+
+
+## Those of the lesson with this id.
+static func of(id: StringName) -> FormulaWords:
+	var members: Dictionary = _WORDS.get(id, {})
+	return FormulaWords.of(members)
