@@ -52,8 +52,11 @@ def browser(playwright):
 
 @pytest.fixture(scope="session")
 def wide_context(browser):
-    """One for all, as for a visitor who goes from demo to demo: the engine is loaded once."""
-    context = browser.new_context(viewport=WIDE)
+    """One context for all tests, as for a visitor who goes from demo to demo: the engine is loaded once.
+
+    It asks for reduced motion, so that a lesson waits at its start.
+    """
+    context = browser.new_context(viewport=WIDE, reduced_motion="reduce")
     yield context
     context.close()
 

@@ -23,27 +23,27 @@ class Use:
 
 
 USES = {
-    # The tip of position: old is the same object and goes along, old_value stays.
-    "class_or_value": Use((304, 299), r"old \(4, −4\)", r"old \(2, −4\)[^]*old_value \(2, −3\)", (241, 299)),
-    # An end of the floor: on a tilted one the easy way is wrong.
-    "easy_bounce": Use((252, 437), r"The easy way is right", r"^✗ A tilted line:", (252, 350)),
+    # The tip of position.
+    "class_or_value": Use((295, 282), r"= Vec2\.new\(4, -4\)", r"= Vec2\.new\(2, -4\)", (235, 282)),
+    # An end of the floor.
+    "easy_bounce": Use((744, 441), r"tilt = 0°", r"tilt = [-−]?[1-9]", (744, 340)),
     # The tip of v.
-    "normals": Use((631, 461), r"= \(−1, 3\)", r"= \(−1, 2\)", (564, 461)),
+    "normals": Use((631, 444), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 444)),
     # The tip of a, from (7, 1) to (3, 1).
-    "dot_product": Use((692, 431), r"^dot product: 5,", r"^dot product: 1\.8,", (541, 431)),
-    "projection_proof": Use((664, 427), r"a′\.x = 5$", r"a′\.x = 1\.8$", (530, 427)),
+    "dot_product": Use((695, 399), r"a = \(7, 1\)", r"a = \(3, 1\)", (535, 399)),
+    "projection_proof": Use((639, 391), r"x of a′: 5,", r"x of a′: 1\.8,", (511, 391)),
     # The ball, further away.
-    "line_distance": Use((624, 337), r"Free: a gap of 70 px", r"Free: a gap of 94 px", (689, 337)),
+    "line_distance": Use((623, 311), r"Free: a gap of 70 px", r"Free: a gap of 94 px", (688, 311)),
     # Where the ball is after the frame: further away, so that it touches sooner in it.
-    "point_of_impact": Use((452, 551), r"t = 0\.5, within", r"t = 0\.4\d*, within", (452, 626)),
-    # The tip of v, from (3, 4) to (4, 4).
-    "reflection": Use((533, 532), r"reflect\(n, C\): \(3, −4\)", r"reflect\(n, C\): \(4, −4\)", (568, 532)),
+    "point_of_impact": Use((439, 540), r"t = 0\.5, within", r"t = 0\.4\d*, within", (439, 615)),
+    # Where the ball comes from: v changes from (3, 4) to (4, 4).
+    "reflection": Use((309, 218), r"reflect\(n, C\): \(3, −4\)", r"reflect\(n, C\): \(4, −4\)", (274, 218)),
     # The next step: before it the lesson asks.
-    "angled_lines": Use((1245, 153), r"^Drag on the board to draw a line", r"at its next touch\?"),
+    "angled_lines": Use((1244, 115), r"Drag on the board to draw a line", r"at its next touch\?"),
     # The situation "Miss".
-    "line_ends": Use((1145, 500), r"^bounces on the end", r"D < 0: no root"),
+    "line_ends": Use((1136, 365), r"t, end A: 0\.5,", r"t, end A: none,"),
     # The first component of a, from 4 to 2.
-    "more_dimensions": Use((476, 172), r"a · b: 18,", r"a · b: 14,", (476, 210)),
+    "more_dimensions": Use((459, 136), r"a · b: 18,", r"a · b: 14,", (459, 176)),
     # Stop: it measures by itself.
-    "error_and_time": Use((918, 232), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
+    "error_and_time": Use((897, 199), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
 }

@@ -124,6 +124,14 @@ func test_what_lies_below_an_answered_guess_can_be_taken() -> void:
 	assert_a([0, 0, 3, 4])
 
 
+func test_a_shaft_below_an_answered_guess_can_be_taken() -> void:
+	await student.press(&"lab_next_step")
+	await drag(Vec2.new(7.5, -2.5), Vec2.new(4, 1))
+	await student.press(&"lab_next_step")
+	await drag(Vec2.new(4, 4.0 / 7.0), Vec2.new(4, 3.0 + 4.0 / 7.0))
+	assert_a([0, 3, 7, 4])
+
+
 func test_a_choice_is_judged_when_the_step_is_shown() -> void:
 	for right: int in 2:
 		await go_to_step(3)

@@ -42,7 +42,21 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	},
 	&"point_of_impact":
 	{
-		words = ["to", "wrong:", "not needed", "none", "any t, even", "reset"],
+		words =
+		[
+			"line:",
+			"to",
+			"wrong:",
+			"not needed",
+			"none",
+			"any t",
+			"reset",
+			"reset:",
+			"POI:",
+			"t:",
+			"none, b is 0",
+			"divides by 0",
+		],
 		not_shown = ["n̂"],
 	},
 	&"reflection": {words = ["is not 1: refused.", "stays"]},

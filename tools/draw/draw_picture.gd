@@ -51,6 +51,8 @@ func _press_all() -> void:
 			for part: String in argument.trim_prefix(PRESS).split(","):
 				for time: int in maxi(part.get_slice("*", 1).to_int(), 1):
 					await _press(part.get_slice("*", 0))
+	for frame: int in FRAMES:
+		await process_frame
 
 
 func _press(action: StringName) -> void:
@@ -58,8 +60,7 @@ func _press(action: StringName) -> void:
 	for is_down: bool in [true, false]:
 		key.pressed = is_down
 		root.push_input(key)
-	for frame: int in FRAMES:
-		await process_frame
+	await process_frame
 
 
 # Where a processor draws, pictures that do not change stay on the screen: see SoftwareDrawing.

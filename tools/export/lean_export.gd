@@ -28,6 +28,8 @@ const _PLUGINS := "editor_plugins/enabled"
 # Settings that only the editor reads: a pack has them at their defaults, which take no room.
 const _OF_THE_EDITOR: PackedStringArray = [
 	"application/config/description",
+	"application/config/features",
+	"compression/formats/zstd/compression_level",
 	"debug/gdscript/warnings/untyped_declaration",
 	"debug/gdscript/warnings/unsafe_property_access",
 	"debug/gdscript/warnings/unsafe_method_access",

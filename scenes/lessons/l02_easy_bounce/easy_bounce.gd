@@ -10,6 +10,10 @@ const _FRAMES_PER_SECOND := 8.0
 const _CORNER_OF_BOUNCE := Vector2(200.0, 220.0)
 const _CORNER_OF_FRAME := Vector2(EasyBounceModel.HALF_LENGTH, 120.0)
 
+## At the opening the ball goes to and fro so often, back by this share of v.
+const _SWINGS := 5.0
+const _SWING := 0.6
+
 ## Tilts to pick, in degrees, by their titles (source text).
 const _PRESETS: Dictionary[String, float] = {
 	"0°": 0.0, "10°": 10.0, "30°": 30.0, "−30°": -30.0, "−45°": -45.0
@@ -37,6 +41,16 @@ func start() -> void:
 	on_drag(_head.moved, _head.released, _drag_velocity)
 	_fill_panel()
 	begin(_model, _show, _seen_points)
+	_ask()
+	open_with(_swing.bind(_model.ball.copy()))
+
+
+func _ask() -> void:
+	var place := tr("Where must the centre go, so that the ball just touches? Drag the “?” there.")
+	ask_before(EasyBounceTexts.Step.PUT_BACK, place, _place_to_guess, _first_guess)
+	var component := tr("The ball bounces off. Which component of v changes its sign?")
+	var components: PackedStringArray = [tr("x of v"), tr("y of v"), tr("both")]
+	ask_choice_before(EasyBounceTexts.Step.FLIP, component, components, _model.flipped_component)
 
 
 func _fill_panel() -> void:
@@ -52,6 +66,13 @@ func _fill_panel() -> void:
 	var question := services[&"question"] as Question
 	question.offer(BounceExercise.fresh, BounceExercise.Kind.size())
 	on_edit(question.board_wanted, _show_exercise)
+
+
+# What moves by itself: back along v and on again, to hundredths, so that the numbers stay short.
+func _swing(seconds: float, start: Ball) -> void:
+	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var place := start.position.minus(start.velocity.scaled(_SWING * share))
+	_model.ball.position.set_xy(snappedf(place.x, 0.01), snappedf(place.y, 0.01))
 
 
 # What the student does.
@@ -114,6 +135,16 @@ func _show_exercise(exercise: BounceExercise) -> void:
 # What the student sees.
 
 
+# Null where nothing has to be put back.
+func _place_to_guess() -> Vec2:
+	var moved := _model.moved_ball(_model.frame())
+	return _model.right_result(moved).position if _model.right_detects(moved) else null
+
+
+func _first_guess() -> Vec2:
+	return _model.moved_ball(_model.frame()).position
+
+
 func _seen_points() -> Array[Vec2]:
 	var ball := _model.ball
 	var line := _model.line()
@@ -129,6 +160,6 @@ func _show() -> void:
 	_head.place(moved.position.plus(moved.velocity))
 	_head.visible = EasyBounceTexts.needs_velocity(step)
 	_formula.show_model(_model, moved, step)
-	_readout.show_model(_model, moved)
+	_readout.show_model(_model, moved, step)
 	_verdict.show_model(_model, moved, step)
 	tell_steps(EasyBounceTexts.sentences(_model, moved))

@@ -7,6 +7,7 @@ extends Node2D
 const _LEVEL_LENGTH := 110.0
 
 var _model: EasyBounceModel
+var _step := 0
 var _moved: Ball
 # What both programs make of the moved ball, and whether that is the same.
 var _easy: Ball
@@ -36,6 +37,7 @@ var _are_same := true
 ## Draws the frame that [param model] shows, as far as [param step] of [EasyBounceTexts] has got.
 func show_model(model: EasyBounceModel, step: int) -> void:
 	_model = model
+	_step = step
 	_moved = model.moved_ball(model.frame())
 	_easy = model.easy_result(_moved)
 	_right = model.right_result(_moved)
@@ -74,8 +76,10 @@ func _lay_line() -> void:
 	var side := -signf(_model.tilt_degrees)
 	var level := Vec2.unit_degrees(90.0 if _model.is_wall else 180.0).scaled(side)
 	_level.lay(_model.pivot, _model.pivot.plus(level.scaled(_LEVEL_LENGTH)))
-	_level.visible = not _are_same
 	_tilt.measure(_model.pivot, level, _model.along().scaled(side))
+	# Where the difference vector is drawn, the tilt is in its way.
+	_level.visible = not _are_same and _step != EasyBounceTexts.Step.DETECT
+	_tilt.visible = _level.visible
 
 
 func _show_move() -> void:
@@ -114,6 +118,8 @@ func _show_difference(center: Vec2, foot: Vec2) -> void:
 
 
 func _show_put_back() -> void:
+	if not _model.right_detects(_moved):
+		return
 	_show_balls(_easy.position, _right.position)
 	_right_arrow.visible = true
 	_right_arrow.label = "" if _are_same else tr("right")
@@ -129,8 +135,10 @@ func _show_put_back() -> void:
 
 func _show_flip() -> void:
 	var from := _right.position
-	_right_ball.visible = true
+	_right_ball.visible = _model.right_detects(_moved)
 	_right_ball.lay(from, _moved.radius)
+	if not _model.right_reflects(_moved) and not _model.easy_flips(_moved):
+		return
 	_right_arrow.visible = true
 	_right_arrow.label = tr("flipped") if _are_same else tr("right")
 	_right_arrow.label_place = Arrow.LabelPlace.HEAD

@@ -4,9 +4,9 @@ extends RefCounted
 ##
 ## The numbers of either program have the color of its ball: on a level line there is only one.
 
-const _POINT_AND_NORMAL := "{l} = {l_pair}     {n} = {n_pair}"
+const _POINT := "{l} = {l_pair}     {n} = {n_pair}"
+const _NORMAL := "{n} = {n_pair}"
 const _SHORTEST := "{right} ({p} − {l}) · {n} = {dx}·{nx} + {dy}·{ny} = {shortest}     {right_hit}"
-const _DEPTH := "{right} r − ({p} − {l}) · {n} = {radius} − {shortest} = {depth}"
 const _BACK_ALONG_NORMAL := "{right} {p} + {depth} {n} = {p_pair} + {depth} {n_pair} = {p_right}"
 const _ALONG_NORMAL := "{right} {v} · {n} = {vx_}·{nx} + {vy_}·{ny} = {along_n}"
 const _REFLECTED := "{right} {v} − 2 ({v} · {n}) {n} = {v_pair} − 2·{along_n} {n_pair} = {v_right}"
@@ -38,7 +38,7 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 		EasyBounceTexts.Step.BOUNCE:
 			lines.append_array([_easy_distance(), _easy_place(), _easy_velocity()])
 		EasyBounceTexts.Step.DETECT:
-			_append(lines, _easy_distance(), [_SHORTEST])
+			_append(lines, _easy_distance(), [_POINT, _SHORTEST])
 		EasyBounceTexts.Step.PUT_BACK:
 			_append(lines, _easy_place(), _right_place())
 		EasyBounceTexts.Step.FLIP:
@@ -50,12 +50,13 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 func _append(lines: PackedStringArray, easy: String, right: PackedStringArray) -> void:
 	lines.append(easy)
 	if not _model.is_level():
-		lines.append(_POINT_AND_NORMAL)
 		lines.append_array(right)
 
 
 func _easy_distance() -> String:
-	return "{easy} %s − %s = {line_at} − {p_axis} = {straight}     {easy_hit}" % _line_and_axis()
+	var names := _line_and_axis()
+	var distance := "{easy} %s − %s = {line_at} − {p_axis} = {straight}     {easy_hit}"
+	return distance % [names[0], names[1]]
 
 
 func _easy_place() -> String:
@@ -77,19 +78,20 @@ func _easy_velocity() -> String:
 func _right_place() -> PackedStringArray:
 	if not _model.right_detects(_moved):
 		return ["{right} " + tr("no hit: P stays")]
-	return [_DEPTH, _BACK_ALONG_NORMAL]
+	var depth := "{right} " + tr("r − distance") + " = {radius} − {shortest} = {depth}"
+	return [_NORMAL, depth, _BACK_ALONG_NORMAL]
 
 
 func _right_velocity() -> PackedStringArray:
 	if not _model.right_detects(_moved):
 		return ["{right} " + tr("no hit: v stays")]
 	if not _model.right_reflects(_moved):
-		return [_ALONG_NORMAL, "{right} " + tr("v · n̂ is not below 0: v stays")]
-	return [_ALONG_NORMAL, _REFLECTED]
+		return [_NORMAL, _ALONG_NORMAL, "{right} " + tr("v · n̂ is not below 0: v stays")]
+	return [_NORMAL, _ALONG_NORMAL, _REFLECTED]
 
 
 # What the easy program looks at: the line by its name, and a single component.
-func _line_and_axis() -> Array[String]:
+func _line_and_axis() -> PackedStringArray:
 	return [tr("wall"), "x"] if _model.is_wall else [tr("floor"), "y"]
 
 

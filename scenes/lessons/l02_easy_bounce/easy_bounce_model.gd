@@ -126,6 +126,14 @@ func right_reflects(moved: Ball) -> bool:
 	return right_detects(moved) and Bounce.is_approaching(moved.velocity, normal())
 
 
+## Which component of the velocity changes its sign in the shown frame: 0 for x, 1 for y; -1 where
+## none does, and on a tilted line, where that is not all that changes.
+func flipped_component() -> int:
+	if not is_level() or not right_reflects(moved_ball(frame())):
+		return -1
+	return 0 if is_wall else 1
+
+
 ## What the easy program makes of the ball [param moved]: detect, put back, flip.
 func easy_result(moved: Ball) -> Ball:
 	var result := moved.copy()

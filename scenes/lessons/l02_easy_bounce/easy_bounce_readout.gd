@@ -1,8 +1,8 @@
 class_name EasyBounceReadout
 extends RefCounted
 ## The table of the lesson on the easy bounce: what each step of the easy program gives for the
-## ball, how far that is from right, and the run time of the call; below it the distance by the
-## normal.
+## ball, how far that is from right, and the run time of the call; and the distance by the normal.
+## Each row comes with its step.
 
 var _readout: Readout
 
@@ -12,17 +12,32 @@ func _init(readout: Readout) -> void:
 	_readout = readout
 
 
-## Fills the table for the ball [param moved] of [param model].
-func show_model(model: EasyBounceModel, moved: Ball) -> void:
+## Fills the rows up to [param step] of [EasyBounceTexts] for the ball [param moved] of
+## [param model].
+func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
+	_readout.visible = step >= EasyBounceTexts.Step.DETECT
+	if not _readout.visible:
+		return
+	_show_distances(model, moved)
 	var easy := model.easy_result(moved)
+	if step >= EasyBounceTexts.Step.PUT_BACK:
+		var error := model.position_error(moved)
+		_show_vector(tr("easy place"), easy.position, error, _put_back(model, moved))
+	if step >= EasyBounceTexts.Step.FLIP:
+		var error := model.velocity_error(moved)
+		_show_vector(tr("easy velocity"), easy.velocity, error, _flip(model, moved))
+	_hide_rows_after(step)
+
+
+# The headings and two distances, then one row a step.
+func _hide_rows_after(step: int) -> void:
+	for i in _readout.get_child_count():
+		(_readout.get_child(i) as Control).visible = i / _readout.columns <= step + 1
+
+
+func _show_distances(model: EasyBounceModel, moved: Ball) -> void:
 	var distance := model.straight_distance.bind(moved.position)
 	_show_distance(tr("easy distance"), distance, model.distance_error(moved))
-	_show_vector(
-		tr("easy place"), easy.position, model.position_error(moved), _put_back(model, moved)
-	)
-	_show_vector(
-		tr("easy velocity"), easy.velocity, model.velocity_error(moved), _flip(model, moved)
-	)
 	var from_pivot := moved.position.minus(model.pivot)
 	var by_normal := LineDistance.signed_distance.bind(from_pivot, model.line_at_origin())
 	var shortest: float = by_normal.call()

@@ -45,9 +45,9 @@ func start() -> void:
 
 
 # To hundredths, so that the numbers beside it stay short.
-func _swing(seconds: float, start: Vec2) -> void:
+func _swing(seconds: float, first: Vec2) -> void:
 	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
-	var swung := start.copy()
+	var swung := first.copy()
 	swung.rotate_degrees(_SWING * share)
 	var head := _model.a_tail.plus(swung)
 	_model.a_head.set_xy(snappedf(head.x, 0.01), snappedf(head.y, 0.01))
@@ -93,7 +93,7 @@ func _show() -> void:
 	ask_before(DotProductTexts.Step.SCALAR, DotProductTexts.question(_model), _truth, _first_guess)
 	tell_steps(DotProductTexts.sentences(_model))
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
+	_formula.show_model(_model, step, (services[&"transport"] as Transport).is_playing)
 	_show_verdict()
 	_show_plot()
 	_show_calls()

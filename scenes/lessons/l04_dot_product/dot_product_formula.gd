@@ -12,7 +12,7 @@ const _DOT := "{u} · {w} = {u_x}·{w_x} + {u_y}·{w_y} = {dot}"
 const _LINES: Array[Array] = [
 	_VECTORS,
 	[_LENGTH, "{e} = {w} / |{w}| = {e_pair}"],
-	[_DOT, "{u} · {e} = {dot} / {w_length} = {scalar}"],
+	[_DOT, "{u} · {e} = {dot_used} / {w_length} = {scalar}"],
 	["{p} = {scalar} {e} = {p_pair}"],
 	["{u} − {p} = {rejection}", "({u} − {p}) · {w} = {check}"],
 ]
@@ -28,7 +28,7 @@ const _WRONG_LINES: Array[Array] = [
 const _ANGLE_LINES: Array[String] = [
 	_DOT,
 	"{u} · {w} = |{u}| |{w}| cos φ",
-	"{u} · {w} = {u_length}·{w_length}·cos {angle}° = {dot}",
+	"{u} · {w} = {u_length}·{w_length}·cos {angle}° = {dot_used}",
 	"{v} · {e} = cos φ = {cosine}",
 ]
 const _PRIMITIVE_LINES: Array[String] = [
@@ -46,9 +46,11 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 
 
-## Shows the lines of [param step] with the numbers of [param model].
-func show_model(model: DotProductModel, step: int) -> void:
+## Shows the lines of [param step] with the numbers of [param model]. What is left by rounding is
+## not told where it [param is_moving]: so long a line for a single frame makes the panel jump.
+func show_model(model: DotProductModel, step: int, is_moving: bool) -> void:
 	_put_both_vectors(model)
+	_put_dot(model, is_moving)
 	_put_shadow(model)
 	_put_angles(model)
 	_formula.show_lines(_lines(model, step))
@@ -78,8 +80,19 @@ func _put_both_vectors(model: DotProductModel) -> void:
 	_formula.put_number("ay", model.a().y, Palette.Role.A, tr("y of a"))
 	_formula.put_number("bx", model.b().x, Palette.Role.B, tr("x of b"))
 	_formula.put_number("by", model.b().y, Palette.Role.B, tr("y of b"))
+
+
+# The first line says what is rounding; in those after it that is 0.
+func _put_dot(model: DotProductModel, is_moving: bool) -> void:
 	var terms := absf(model.a().x * model.b().x) + absf(model.a().y * model.b().y)
-	_formula.put_sum("dot", model.dot(), terms, Palette.Role.INK)
+	var is_rounding := absf(model.dot()) <= FormulaStatement.ROUNDING * terms
+	var unrounded := model.dot() if not (is_rounding and is_moving) else 0.0
+	_formula.put_number("dot", unrounded, Palette.Role.INK)
+	_formula.put_number("dot_used", 0.0 if is_rounding else model.dot(), Palette.Role.INK)
+	var scalar := 0.0 if is_rounding else model.scalar_projection()
+	_formula.put_number("scalar", scalar, Palette.Role.PROJECTION)
+	var projection := Vec2.new() if is_rounding else model.vector_projection()
+	_formula.put_vector("p_pair", projection, Palette.Role.PROJECTION)
 
 
 func _put_shadow(model: DotProductModel) -> void:
@@ -94,10 +107,10 @@ func _put_shadow(model: DotProductModel) -> void:
 	_formula.put_number("w_x", model.onto().x, role_of_w)
 	_formula.put_number("w_y", model.onto().y, role_of_w)
 	_formula.put_number("w_length", model.onto().length(), role_of_w)
-	_formula.put_number("scalar", model.scalar_projection(), Palette.Role.PROJECTION)
-	_formula.put_number("check", model.rejection().dot(model.onto()), Palette.Role.REST)
+	var check := model.rejection().dot(model.onto())
+	var size := model.shadowed().length() * model.onto().length()
+	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	_formula.put_vector("p_pair", model.vector_projection(), Palette.Role.PROJECTION)
 	_formula.put_vector("rejection", model.rejection(), Palette.Role.REST)
 	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
 

@@ -74,6 +74,6 @@ func _draw() -> void:
 	for i in _DASHES:
 		var from := i * TAU / _DASHES
 		draw_arc(middle, dot_radius, from, from + 0.6 * TAU / _DASHES, 5, color, 3.0, true)
+	var start := middle + Vector2(-dot_radius, 7.0)
 	var font := get_theme_default_font()
-	var width := font.get_string_size("?", HORIZONTAL_ALIGNMENT_LEFT, -1, 20).x
-	draw_string(font, middle + Vector2(-width / 2.0, 7.0), "?", HORIZONTAL_ALIGNMENT_LEFT, -1, 20, color)
+	draw_string(font, start, "?", HORIZONTAL_ALIGNMENT_CENTER, 2.0 * dot_radius, 20, color)

@@ -145,7 +145,9 @@ func _names_in(side: String) -> PackedInt32Array:
 	return places
 
 
-func _add_computed(side: String) -> void:
+# What is before a colon are words.
+func _add_computed(whole_side: String) -> void:
+	var side := whole_side.get_slice(": ", whole_side.get_slice_count(": ") - 1)
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return

@@ -265,7 +265,7 @@ func test_space_after_a_click_on_a_switch_is_slow_motion() -> void:
 	assert_eq(_model().preset, 6)
 
 
-func test_every_digit_puts_up_its_preset() -> void:
+func test_every_digit_picks_its_preset() -> void:
 	for preset: int in 10:
 		await student.press(StringName("lab_preset_%d" % preset))
 		assert_eq(_model().preset, preset)

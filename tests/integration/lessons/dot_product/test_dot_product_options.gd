@@ -53,7 +53,7 @@ func test_swapped_the_rest_is_labelled_b_minus_p() -> void:
 	assert_eq(rejection.label, "b − p")
 
 
-func test_every_preset_sets_both_vectors_up() -> void:
+func test_every_preset_sets_both_vectors() -> void:
 	var presets: Dictionary[String, PackedFloat64Array] = {
 		"Right angle": [4, 3, 6, -8],
 		"Obtuse": [-5, 2, 8, -6],
@@ -80,7 +80,7 @@ func test_the_words_say_what_the_sign_means() -> void:
 		assert_reads(words[preset])
 
 
-func test_the_sign_stands_in_the_ball_as_well_as_its_colour() -> void:
+func test_the_ball_shows_the_sign_as_well_as_its_color() -> void:
 	var signs: Dictionary[String, String] = {"Lecture": "+", "Right angle": "0", "Obtuse": "−"}
 	for preset: String in signs:
 		await click_button(preset)
@@ -140,6 +140,21 @@ func test_one_frame_on_turns_a_by_half_a_degree() -> void:
 	var before := _a().angle_degrees()
 	await click_button("One frame on")
 	assert_almost_eq(_a().angle_degrees() - before, 0.5, 1e-9)
+
+
+func test_the_panel_does_not_jump_while_a_turns() -> void:
+	await student.press(&"lab_pause")
+	_transport().set_process(false)
+	for step: int in [4, 5, 6]:
+		await go_to_step(step)
+		var height := _transport().global_position.y
+		for frame_number: int in 120:
+			_transport().advanced.emit(0.1)
+			await get_tree().process_frame
+			if _transport().global_position.y != height:
+				fail_test("%s at step %d" % [formula_lines(), step + 1])
+				return
+	pass_test("it stays where it is")
 
 
 func test_huge_numbers_fit_into_the_panel_at_every_size() -> void:

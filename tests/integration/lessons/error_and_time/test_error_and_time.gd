@@ -120,7 +120,7 @@ func test_points_appear_one_by_one_while_the_window_stays_alive() -> void:
 
 
 func test_p_stops_where_it_is_and_goes_on() -> void:
-	await _measure_anew()
+	await _measure_again()
 	await student.press(&"lab_pause")
 	var runs := _run().done_count()
 	await student.settle()
@@ -130,8 +130,8 @@ func test_p_stops_where_it_is_and_goes_on() -> void:
 	assert_gt(_run().done_count(), runs)
 
 
-func test_the_button_stops_and_measures_anew() -> void:
-	await _measure_anew()
+func test_the_button_stops_and_measures_again() -> void:
+	await _measure_again()
 	await click_button("Stop")
 	assert_false(_run().is_going)
 	await click_button("Measure")
@@ -198,7 +198,7 @@ func test_a_link_to_a_situation_measures_it_at_once() -> void:
 	assert_true(_run().is_going)
 
 
-func test_reset_begins_anew() -> void:
+func test_reset_measures_again() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_reset")
 	assert_eq(_run().done_count(), 0)
@@ -345,7 +345,7 @@ func _pixel(place: int) -> Vector2:
 	return _plot().get_global_transform() * _plot().pixel_of(place)
 
 
-func _measure_anew() -> void:
+func _measure_again() -> void:
 	await _finish_measuring()
 	await click_button("Measure")
 
