@@ -25,8 +25,6 @@ const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
 # A pair; before and after its comma there is at most one level of parentheses.
 const _PAIR := "(?<![a-z2])\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
-# An angle is shown in degrees.
-const _ATAN2 := "atan2("
 # How to spell a side for [Expression], one after the other. Its names are n0, n1, ...
 const _SPELLINGS: Dictionary[String, String] = {
 	"−": "-",
@@ -156,7 +154,7 @@ func _add_computed(whole_side: String) -> void:
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("cos n\\d+°|n\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string("cos n\\d+°|atan2|\\bn\\d+").sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:
