@@ -302,7 +302,8 @@ func _offer_way_back() -> void:
 		_help_actions.push_front(&"lab_back")
 
 
-# A refusal lies on the board; good news, which looks otherwise, beside it: there it hides no verdict.
+# A refusal lies on the board. Good news looks otherwise and lies beside it: there it hides no
+# verdict.
 func _show_notice(message: String, is_news: bool = false) -> void:
 	_notice.text = message
 	_notice_place.visible = message != ""

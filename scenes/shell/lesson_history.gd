@@ -3,8 +3,8 @@ extends RefCounted
 ## Undo and redo of a lesson: the states between complete changes, and the one that is shown.
 ##
 ## What moves by itself between two of the student's changes is one change, however often it was
-## paused or stepped: undo leads back to where it began. [UndoRedo] cannot join changes that are more
-## than 0.8 s apart.
+## paused or stepped: undo leads back to where it began. [UndoRedo] joins only changes that are less
+## than a second apart.
 
 ## What can be undone or redone has changed.
 signal changed

@@ -17,7 +17,7 @@ const _MOST_DIGITS := 36
 const _DIGITS_AT_ONCE := 9
 # Other minus signs, as word processors and people who write formulas put them.
 const _DASHES: PackedStringArray = ["\u2212", "\u2013"]
-# Letters of full width, as East Asian keyboards write them, and how far they are from those of ASCII.
+# Letters of full width, as East Asian keyboards write them, and their distance from ASCII.
 const _FULL_WIDTH := 0xff01
 const _FROM_ASCII := 0xfee0
 
@@ -32,9 +32,9 @@ static func of(value: float) -> String:
 	return String.num_scientific(value).replace("e+", "e").replace("e-0", "e-")
 
 
-## The number that [param text] says, rounded correctly, in any of the ways in which people write it:
-## `-2.5`, `+3`, `1,5`, `.5`, `3E8`, with a true minus, with spaces around it. NaN for what is no
-## decimal number, or is neither 0 nor within [constant SMALLEST] to [constant LARGEST] in size.
+## The number that [param text] says, rounded correctly, in any of the ways in which people write
+## it: `-2.5`, `+3`, `1,5`, `.5`, `3E8`, with a true minus, with spaces around it. NaN for what is
+## no decimal number, or is neither 0 nor within [constant SMALLEST] to [constant LARGEST] in size.
 static func value_of(text: String) -> float:
 	var found := _pattern.search(_in_ascii(text))
 	if not found:

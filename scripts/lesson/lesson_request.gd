@@ -7,7 +7,8 @@ const _ARGUMENT := "--lesson="
 # What a chat or a mail puts behind a link.
 const _BEHIND := ".,;:!)]}>\"'”’ \n"
 # A letter as an address writes it, in 1 to 3 bytes. Others cannot belong to a request.
-const _ESCAPE := "(?i)%(?:[2-7][\\da-f]|(?:c[2-9a-f]|d[\\da-f]|e[1-9a-cef]%[89ab][\\da-f])%[89ab][\\da-f])"
+const _ESCAPE := "(?i)%(?:[2-7][\\da-f]|(?:c[2-9a-f]|d[\\da-f]|e[1-9a-cef]%NEXT)%NEXT)"
+const _NEXT_BYTE := "[89ab][\\da-f]"
 
 static var _is_read := false
 static var _id := ""
@@ -16,8 +17,8 @@ static var _state := ""
 static var _lesson_of_state := ""
 
 
-## From now on [param text], such as `dot_product?a=7,1` or a whole address, is what was asked for. It
-## may look as chats and mails leave it: `<#/Dot_Product/?a=7,1&amp;b=8,-6>.`
+## From now on [param text], such as `dot_product?a=7,1` or a whole address, is what was asked for.
+## It may look as chats and mails leave it: `<#/Dot_Product/?a=7,1&amp;b=8,-6>.`
 static func ask(text: String) -> void:
 	_is_read = true
 	var plain := _without_escapes(text).xml_unescape().to_lower()
@@ -63,6 +64,6 @@ static func _text_at_start() -> String:
 # The engine decodes escapes in capitals only: %2C, not %2c.
 static func _without_escapes(text: String) -> String:
 	var plain := text
-	for escape in RegEx.create_from_string(_ESCAPE).search_all(text):
+	for escape in RegEx.create_from_string(_ESCAPE.replace("NEXT", _NEXT_BYTE)).search_all(text):
 		plain = plain.replace(escape.get_string(), escape.get_string().to_upper().uri_decode())
 	return plain

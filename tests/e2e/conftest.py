@@ -52,7 +52,7 @@ def browser(playwright):
 
 @pytest.fixture(scope="session")
 def wide_context(browser):
-    """One for all, as for a visitor who goes from demo to demo: the engine is loaded once.
+    """One context for all tests, as for a visitor who goes from demo to demo: the engine is loaded once.
 
     It asks for reduced motion, so that a lesson waits at its start.
     """

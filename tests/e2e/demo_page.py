@@ -4,7 +4,7 @@ import json
 
 from playwright.sync_api import TimeoutError
 
-# The slowest start and the slowest answer that are waited for; nothing is said about how fast they should be.
+# How long to wait for a start and for an answer. These are no limits on speed.
 START_MS = 90_000
 ANSWER_MS = 20_000
 
@@ -13,7 +13,7 @@ LINES = "[...document.querySelectorAll('#lesson_text p')].map(line => line.textC
 
 
 class DemoPage:
-    """Notes every complaint of the browser; `close` fails when there was one."""
+    """Notes every complaint of the browser; `close` fails if there was one."""
 
     def __init__(self, page, site):
         self.page = page
@@ -63,7 +63,7 @@ class DemoPage:
             self.complaints.append(f"console: {message.text}")
 
     def _note_failure(self, request):
-        # What was still on its way when the page was left is broken off, and nobody misses it.
+        # Leaving a page aborts what it still loads: that is no complaint.
         if request.failure != "net::ERR_ABORTED":
             self.complaints.append(f"{request.failure}: {request.url}")
 

@@ -1,4 +1,4 @@
-"""The index shows every demo, without script and on a phone, too."""
+"""The index shows every demo, also without JavaScript and on a phone."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A link opens the board that it describes; one that makes no sense is told, and opens the board as ever."""
+"""A link opens the board that it describes; a wrong link gets a message, and the board opens at its start."""
 
 LINK = "#dot_product?a=3,1&b=8,-6"
 

@@ -1,6 +1,6 @@
 extends LabTest
-## Holds the layers of docs/implementation_notes.md apart, and what every script has to have. Each
-## rule is also shown a text that breaks it.
+## Keeps the layers of docs/implementation_notes.md apart, and checks what every script must have.
+## For each rule a test shows that it finds a text that breaks it.
 
 const SCRIPTS := "res://scripts"
 const SCENES := "res://scenes"

@@ -103,7 +103,7 @@ func test_each_link_opens_in_its_lesson_and_is_copied_again_as_it_was() -> void:
 			screen().free()
 
 
-func test_what_cannot_be_shown_is_named_and_the_lesson_stands_at_its_start() -> void:
+func test_a_value_that_cannot_be_shown_is_named_and_the_lesson_is_at_its_start() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
 		assert_has(_BAD, lesson.id, "say in _BAD which links %s refuses" % lesson.id)
 		for text: String in _BAD.get(lesson.id, {}):
@@ -115,7 +115,7 @@ func test_what_cannot_be_shown_is_named_and_the_lesson_stands_at_its_start() -> 
 
 
 # Any engine error or warning fails the test.
-func test_no_link_whatever_brings_a_lesson_down() -> void:
+func test_no_link_breaks_a_lesson() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
 		var fuzz := _FUZZ.new(20 + LessonIndex.number_of(lesson))
 		await open_lesson(lesson)
@@ -165,7 +165,7 @@ func test_a_board_beyond_the_range_is_not_copied() -> void:
 
 func test_reset_leads_to_the_lessons_own_start_and_undo_back_to_the_link() -> void:
 	await _open_link(LessonIndex.find(&"dot_product"), "a=3,4")
-	assert_true(Screen.button(screen(), "Undo").disabled, "opening is no change")
+	assert_true(Screen.button(screen(), "Undo").disabled, "opening a link is no change")
 	await student.press(&"lab_reset")
 	assert_eq(frame().link.text(), "dot_product")
 	await student.press(&"lab_undo")
@@ -177,7 +177,7 @@ func test_a_link_that_comes_while_its_lesson_is_open_is_a_change_that_can_be_und
 	frame().follow_link("#dot_product?a=3,4")
 	assert_eq(frame().link.text(), "dot_product?a=3,4")
 	frame().follow_link("#dot_product?a=3")
-	assert_eq(frame().link.text(), "dot_product?a=3,4", "a wrong one changes nothing")
+	assert_eq(frame().link.text(), "dot_product?a=3,4", "a wrong link changes nothing")
 	await student.press(&"lab_undo")
 	assert_eq(frame().link.text(), "dot_product")
 
@@ -238,10 +238,10 @@ func _throw(text: String, first: Dictionary) -> int:
 		return 0
 	var wanted := LessonLink.read(text, frame().lesson.link_base(first, after))
 	assert_eq(LessonLink.text_of(after, wanted.state), "", "taken: " + text)
-	# A mistake may lead to it, and the table of extreme cases names it.
+	# A switched-on mistake may lead to NaN, and the table of extreme cases shows it.
 	if after.get("mistake", 0) == 0 and not after.has("stability"):
 		assert_false(PageText.of([frame()]).contains("NaN"), text)
-	# And where time can run, from there on.
+	# Where time can run, it must run on from the linked state.
 	await student.press(&"lab_pause")
 	await student.press(&"lab_pause")
 	return 1

@@ -1,6 +1,6 @@
 extends ScreenTest
-## The start of a demo: the frame alone, with the first lesson that there is, and nothing to go back
-## to.
+## A demo starts with the lesson frame alone. It opens the first lesson that there is, and offers no
+## way back.
 
 
 func test_it_opens_the_first_lesson_that_there_is() -> void:

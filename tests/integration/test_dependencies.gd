@@ -1,6 +1,6 @@
 extends LabTest
 ## Who may name whom: no circle of files or folders, one order inside scripts/, and unit tests in
-## folders that mirror what they test. Each rule is also shown a text that breaks it.
+## folders that mirror what they test. For each rule a test shows that it finds a breach.
 
 const SCRIPTS := "res://scripts"
 const UNIT_TESTS := "res://tests/unit"

@@ -1,11 +1,11 @@
 extends LabTest
-## Only checked text stays true: paths, links and lesson ids in the documents.
+## Checks the paths, links, calls and lesson ids in the documents.
 
-## What a first folder in backticks must be for the text to count as a path of the project.
+## A text in backticks counts as a path of the project if it begins with one of these folders.
 const _PATH := "`((?:scripts|scenes|tests|tools|docs|benchmarks|assets|addons)/[\\w./]*)`"
 ## What "Adding a lesson" calls the lesson that is to be made.
 const _PLACEHOLDER := "my_lesson"
-## The classes of the variables in the list of queries.
+## The classes of the variables that the list of queries uses.
 const _VARIABLES: Dictionary[String, String] = {
 	"ball": "Ball",
 	"segment": "LineSegment",
@@ -22,7 +22,7 @@ func test_every_path_in_backticks_exists() -> void:
 				continue
 			assert_true(_exists(path), "%s names `%s`" % [document, path])
 			checked += 1
-	assert_gt(checked, 10, "paths were found at all")
+	assert_gt(checked, 10, "paths were found")
 
 
 func test_every_link_and_picture_exists() -> void:

@@ -53,7 +53,106 @@ var _ends: Dictionary[String, Callable] = {
 	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
 	## comes down or the window loses the focus. What has been let go does not follow the pointer.
 	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
+	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+	## comes down or the window loses the focus. What has been let go does not follow the pointer.
+	## What ends a drag while the button is still down.
 	func(_at: Vector2) -> void:
+## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+## comes down or the window loses the focus. What has been let go does not follow the pointer.
+
+## What ends a drag while the button is still down.
+
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
+		## comes down or the window loses the focus. What has been let go does not follow the pointer.
+		## What ends a drag while the button is still down.
+
 ## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
 ## comes down or the window loses the focus. What has been let go does not follow the pointer.
 
@@ -273,4 +372,4 @@ func _lines() -> PackedFloat64Array:
 
 
 func _line_count() -> int:
-	return _lines().size() / 4
+	return roundi(_lines().size() / 4.0)

@@ -1,12 +1,12 @@
 extends LabTest
 ## The engine's own bodies fly the shots of the report: from the right place, for the right time.
 
-## Pixels. 32-bit numbers, and a margin of 0.08 px, allow no less.
+## In pixels. The engine's 32-bit numbers and its margin of 0.08 px allow nothing closer.
 const TOLERANCE := 0.1
 
 
 func after_each() -> void:
-	assert_eq(Engine.physics_ticks_per_second, 60, "the rate is set back")
+	assert_eq(Engine.physics_ticks_per_second, 60, "the old rate is back")
 	var spaces := get_children().filter(func(child: Node) -> bool: return child is EngineSpace)
 	assert_eq(spaces, [], "nothing is left in the tree")
 

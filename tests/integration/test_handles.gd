@@ -3,7 +3,7 @@ extends ScreenTest
 ## screen readers, reached with the Tab key.
 
 const _SMALLEST := 44.0
-## No lesson has so many parts that take the focus.
+## More than the parts that can take the focus in any lesson.
 const _MOST_TABS := 200
 const _SIZES: Array[Vector2i] = [
 	Vector2i(1280, 720), Vector2i(1920, 1080), Vector2i(800, 600), Vector2i(720, 1280)
@@ -51,7 +51,7 @@ func _reached_by_tab() -> Array[Control]:
 	return reached
 
 
-# Pixels of the window that a touch across the handle may be off, both ways together.
+# How wide the handle is for a touch, across its narrow side, in pixels of the window.
 func _width(handle: Handle) -> float:
 	var scale := student.window.get_final_transform().get_scale().x
 	if handle is ArrowBody:

@@ -1,6 +1,6 @@
 extends ScreenTest
-## The frame around a lesson: brings what the lesson needs and nothing else, helps, and leaves
-## nothing behind.
+## The lesson frame brings what a lesson needs and nothing else, shows help, and leaves nothing
+## behind.
 
 const _CLOCK := preload("res://tests/support/lessons/clock.tres")
 const _STILL := preload("res://tests/support/lessons/still.tres")

@@ -54,8 +54,8 @@ func test_the_index_finds_each_lesson_by_id_and_says_its_place() -> void:
 	assert_null(LessonIndex.find("no_such_lesson"))
 
 
-# A service is used where its class is named in the code of one of the lesson's scripts, or, for the
-# steps, where they are told.
+# A lesson uses a service if one of its scripts names the service's class, or, for the steps, calls
+# `tell_steps`.
 func test_lessons_need_exactly_the_services_that_their_scripts_use() -> void:
 	var classes := _service_classes()
 	assert_gt(classes.size(), 5, "services were found")

@@ -1,5 +1,5 @@
 extends ScreenTest
-## What a lesson does with values in its scene that cannot be.
+## What a lesson does when its scene has impossible values.
 
 
 func test_a_radius_below_0_in_the_scene_is_an_error() -> void:

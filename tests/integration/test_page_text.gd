@@ -1,5 +1,5 @@
 extends ScreenTest
-## What the page around the lab is told of the screen.
+## What the page around the lab is told about the screen.
 
 
 func test_a_lesson_says_title_verdict_step_formula_and_readout() -> void:
@@ -22,7 +22,7 @@ func test_what_is_dragged_is_told() -> void:
 	assert_has(_lines(), "a = (3, 1)  b = (8, -6)")
 
 
-func test_a_notice_is_told_while_it_stands() -> void:
+func test_a_notice_is_told_while_it_is_shown() -> void:
 	await open_lesson(LessonIndex.find(&"dot_product"))
 	await student.press(&"lab_copy_link")
 	assert_ne(_line_with("✓ Copied: "), "")
@@ -73,12 +73,12 @@ func test_a_change_is_told_once_and_at_most_four_times_a_second() -> void:
 	assert_signal_emit_count(text, "changed", 1)
 	var notice := frame().get_node("%Notice") as Label
 	(frame().get_node("%NoticePlace") as Control).show()
-	# A second at 60 frames a second, and in each another text.
+	# One second at 60 frames a second, with a new text in every frame.
 	for i: int in 60:
 		notice.text = str(i)
 		await get_tree().process_frame
 	var count: int = get_signal_emit_count(text, "changed")
-	# One of before is among them.
+	# The count includes the one signal from before this second.
 	assert_gte(count, 4)
 	assert_lte(count, 5)
 

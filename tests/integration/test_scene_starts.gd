@@ -4,7 +4,7 @@ extends ScreenTest
 
 const SceneStart := preload("res://tools/draw/scene_start.gd")
 
-## For each lesson something in its scene that says how it starts, and another value.
+## For each lesson a property in its scene that sets how it starts, and another value for it.
 const _STARTS: Dictionary[StringName, Array] = {
 	&"class_or_value": ["Board/Position:head", Vector2(-5.0, 1.0)],
 	&"easy_bounce": ["Board/Drawing/BallHandle:point", Vector2(12.0, -60.0)],

@@ -1,5 +1,6 @@
 extends ScreenTest
-## Every scene can be run by itself, as F6 in the editor does; a lesson's opens it in its frame.
+## Every scene can be run by itself, as F6 in the editor does. A lesson's scene then opens the
+## lesson in its lesson frame.
 
 const _FOLDERS: PackedStringArray = ["res://scenes", "res://tests/support"]
 const _FRAMES := "10"

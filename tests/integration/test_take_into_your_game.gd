@@ -19,7 +19,7 @@ class Row:
 	var link: String
 	## What is listed: paths of scripts, and of folders of which every script is meant.
 	var listed: PackedStringArray
-	## What is to be called, as the table writes it.
+	## The call, as the table writes it.
 	var calls: PackedStringArray
 	var code: String
 	var output: String

@@ -2,7 +2,7 @@ extends ScreenTest
 ## Every text goes through Godot's translation, and one file holds them all.
 
 const CollectTexts := preload("res://tools/texts/collect_texts.gd")
-## A language that the machine that runs the tests does not speak.
+## A language that is not the one of the machine that runs the tests.
 const _LOCALE := "eo"
 const _OPEN := "‹"
 const _CLOSE := "›"
@@ -72,7 +72,7 @@ func test_a_file_in_gettexts_form_is_read_as_a_language() -> void:
 	assert_eq(str(language.get_message("Undo")), "Malfari")
 
 
-# Found before the first is clicked: what else is in the panel may be gone after it.
+# Finds them all before the first click, which may change what is in the panel.
 func _buttons_of_situations() -> Array[Button]:
 	var found: Array[Button] = []
 	for control: Control in Screen.controls(frame().get_node("%Services")):

@@ -53,7 +53,7 @@ func test_a_single_step_pauses() -> void:
 	assert_eq(_seconds(), stopped)
 
 
-# The lesson is told the share of a frame itself, so that nothing is timed.
+# The test itself says how much time has passed, so that no clock is involved.
 func test_slow_motion_runs_at_a_fifth() -> void:
 	watch_signals(_transport())
 	_transport()._process(1.0)

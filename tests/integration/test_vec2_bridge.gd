@@ -1,6 +1,6 @@
 extends LabTest
-## The table in docs/vec2.md, read and tried: each expression for Vec2 must give what the one for
-## Godot's Vector2 beside it gives.
+## Reads the table in docs/vec2.md and runs it: each expression for Vec2 must give the same as the
+## expression for Godot's Vector2 beside it.
 
 const DOCUMENT := "res://docs/vec2.md"
 const SAMPLES := 20
@@ -18,7 +18,7 @@ func test_the_bridge_table_is_there() -> void:
 	assert_gt(_rows("## False friends", "| What Vec2").size(), 4)
 
 
-func test_each_public_method_of_vec2_stands_in_the_table() -> void:
+func test_each_public_method_of_vec2_is_in_the_table() -> void:
 	var table := _methods_named_in_table()
 	for method: String in _public_methods():
 		assert_has(table, method)
@@ -66,7 +66,7 @@ func _nearly_equal(got: Variant, want: Variant) -> bool:
 	return got is bool and want is bool and got == want
 
 
-## A verb returns nothing: then its vector is the result.
+## A method that changes its vector returns nothing: then that vector is the result.
 func _evaluate_with_vec2(code: String, engine_inputs: Array) -> Variant:
 	var inputs := engine_inputs.duplicate()
 	for index: int in ["v", "w", "n", "p"].size():
@@ -79,7 +79,7 @@ func _evaluate_with_vec2(code: String, engine_inputs: Array) -> Variant:
 	return inputs[1] if result == null else result
 
 
-## What the code gives, or what is wrong with the code, a text that equals no result.
+## The result of the code. If the code is wrong, a text that says why; it equals no result.
 func _evaluate(code: String, inputs: Array) -> Variant:
 	var expression := Expression.new()
 	if expression.parse(code, INPUT_NAMES) != OK:

@@ -3,7 +3,7 @@ extends ScreenTest
 ## The base of the tests that drive the lessons on a ball and a line.
 
 
-## The numbers that the lesson now holds under a name in its state.
+## The numbers that the lesson's state has now under this name.
 func numbers(key: String) -> PackedFloat64Array:
 	var held: PackedFloat64Array = frame().lesson.state()[key]
 	return held

@@ -71,7 +71,8 @@ func circles() -> PackedStringArray:
 
 
 ## Every arrow from a file to one of a later layer. [param layers] are folders or files, the lowest
-## first; the longest that a path begins with counts. A file of no layer is told, too.
+## first; a file belongs to the longest one that its path begins with. A file in no layer is listed,
+## too.
 func arrows_up(layers: PackedStringArray) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for file: String in named_by:

@@ -1,10 +1,10 @@
 class_name EventWorlds
 extends RefCounted
-## Worlds for tests of events: each is built anew, so that no test changes another's.
+## Worlds for tests of events: each test gets a new one, so that none changes another's.
 
 
-## A world with these segments, given as x and y of both ends, and these balls. What is refused is
-## an error.
+## A world with these segments, given as x and y of both ends, and these balls. A refused value
+## is an error.
 static func world(
 	lines: Array[Vector4], balls: Array[Ball], gravity: Vec2 = Vec2.new(), bounciness: float = 1.0
 ) -> EventWorld:

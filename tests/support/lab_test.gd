@@ -68,7 +68,7 @@ static func same_bits(a: float, b: float) -> bool:
 
 
 ## Negative zero. It is a function because the compiler makes one constant of 0.0 and -0.0 where
-## both stand in one function.
+## both are in one function.
 static func negative_zero() -> float:
 	return -0.0
 

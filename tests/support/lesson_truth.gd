@@ -21,7 +21,7 @@ class Finding:
 
 
 # Numbers are left out where two lines are compared.
-const _NUMBER := "[-−]?(?:\\d+(?:\\.\\d+)?(?:e[-−]?\\d+)?|∞|NaN)"
+const _NUMBER := "[-−]?(?:\\d+(?:\\.\\d+)?(?:e[-−+]?\\d+)?|∞|NaN)"
 const _REMARK := " \\(rounding: [^)]*\\)"
 # Parts of a formula that were replaced are freed at the end of a frame.
 const _STATES_IN_A_FRAME := 20
@@ -35,7 +35,7 @@ var _frame: LessonFrame
 var _reader: FormulaReader
 var _known: Dictionary[String, Finding] = {}
 var _remark_finder := RegEx.create_from_string(_REMARK)
-var _number_finder := RegEx.create_from_string("\\(%s\\)|%s" % [_NUMBER, _NUMBER])
+var _number_finder := RegEx.create_from_string("%s\\.\\.%s|\\(%s\\)|%s".replace("%s", _NUMBER))
 
 
 ## Of the lesson that [param frame] has opened.

@@ -48,10 +48,24 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	},
 	&"point_of_impact":
 	{
-		words = ["to", "wrong:", "not needed", "none", "any t, even", "reset"],
+		words =
+		[
+			"line:",
+			"to",
+			"wrong:",
+			"not needed",
+			"none",
+			"any t",
+			"reset",
+			"reset:",
+			"POI:",
+			"t:",
+			"none, b is 0",
+			"divides by 0",
+		],
 		not_shown = ["n̂"],
 	},
-	&"reflection": {words = ["is not 1: refused.", "stays"]},
+	&"reflection": {words = ["is not 1: refused.", "stays", "mistake:"]},
 	&"line_ends":
 	{
 		words =
@@ -80,12 +94,13 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{
 		words =
 		[
-			"Point at a method with several settings:",
+			"Point at a mark with a line:",
 			"its slope is the order p.",
-			"An error of 0, or no answer,",
-			"has no order.",
+			"One of the two settings has no answer.",
+			"One of the two errors is 0.",
+			"Both settings take the same time.",
+			"So there is no order p.",
 		],
-		digits = 3,
 	},
 }
 

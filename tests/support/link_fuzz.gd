@@ -74,8 +74,8 @@ func _init(seed_number: int) -> void:
 	_rng.seed = seed_number
 
 
-## The link with this number to a lesson with the link state [param state]: by turns one with
-## everyday values, with extreme ones, and a wrong one.
+## The link with this number to a lesson with the link state [param state]: in turn one with
+## everyday values, one with extreme values, and a wrong one.
 func text(number: int, state: Dictionary) -> String:
 	_is_tame = number % 3 == 0
 	return _wrong_text(state) if number % 3 == 2 else _random_text(state)
@@ -90,7 +90,7 @@ func _random_text(state: Dictionary) -> String:
 	return "&".join(parts)
 
 
-# Wrong somewhere, or at least odd.
+# Wrong in one place, or at least unusual.
 func _wrong_text(state: Dictionary) -> String:
 	var names: Array = state.keys()
 	var name: String = names[_rng.randi() % names.size()]

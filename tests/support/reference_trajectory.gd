@@ -5,17 +5,17 @@ extends RefCounted
 
 const _FILE := "res://tests/data/reference/trajectories.json"
 
-## Which kind of place, and for how long: `hexagon, 40 s`.
+## The kind of room, and for how long the ball flies: `hexagon, 40 s`.
 var title: String
-## How it starts.
+## The ball at its start.
 var ball: Ball
-## Among what.
+## The segments around it.
 var segments: Array[LineSegment] = []
 ## How long it flies.
 var seconds: float
-## Where it is then, to the nearest double.
+## Where it is at the end, to the nearest double.
 var end: Vec2
-## Its velocity then.
+## Its velocity at the end.
 var end_velocity: Vec2
 ## How often it has bounced.
 var bounces: int

@@ -6,7 +6,7 @@ const START_SCREEN := "res://scenes/shell/start_screen.tscn"
 const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
 const _USUAL_SIZE := Vector2i(1280, 720)
 
-## Sits at the window; fresh for each test.
+## Acts on the window; a new one for each test.
 var student: Student
 
 

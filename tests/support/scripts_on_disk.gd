@@ -5,7 +5,7 @@ extends RefCounted
 const SKIPPED := ["res://addons", "res://build"]
 
 
-## The paths of all `test_*.gd` below [param folder]; folders that Godot does not see are left out.
+## The paths of all `test_*.gd` below [param folder]; folders that Godot ignores are left out.
 static func tests_below(folder: String) -> PackedStringArray:
 	var found := PackedStringArray()
 	if folder in SKIPPED or FileAccess.file_exists(folder.path_join(".gdignore")):

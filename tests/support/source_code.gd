@@ -5,7 +5,7 @@ extends RefCounted
 ## A string in one of its three forms, or a comment; only a string is captured.
 const _STRING_OR_COMMENT := r'(?s)(""".*?"""|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\')|#[^\n]*'
 
-## A public member, with the annotations that stand before it on its line.
+## A public member, with the annotations before it on its line.
 const _MEMBER := (
 	r"^(?:@\w+(?:\([^)]*\))? )*(?:static )?" + r"(?:var|const|func|signal|enum|class) ([A-Za-z]\w*)"
 )

@@ -1,6 +1,6 @@
 class_name SteppedWorlds
 extends RefCounted
-## Worlds for tests of stepping: each is built anew, so that no test changes another's.
+## Worlds for tests of stepping: each test gets a new one, so that none changes another's.
 
 ## A frame of the course, in seconds.
 const FRAME := 1.0 / 60.0

@@ -1,6 +1,6 @@
 class_name Student
 extends RefCounted
-## Somebody at the lab: acts by real input events only, as mouse, keyboard, gamepad and finger send
+## A student at the lab: acts by real input events only, as mouse, keyboard, gamepad and finger send
 ## them, and reads what is visible.
 ##
 ## Places are given in pixels of the drawing, as [method Control.get_global_rect] has them; events
@@ -20,7 +20,7 @@ func _init(its_window: Window) -> void:
 	window = its_window
 
 
-## Waits until what was done shows.
+## Waits until the screen shows what was done.
 func settle() -> void:
 	for frame: int in _FRAMES_TO_SETTLE:
 		await window.get_tree().process_frame

@@ -28,6 +28,8 @@ const _PLUGINS := "editor_plugins/enabled"
 # Settings that only the editor reads: a pack has them at their defaults, which take no room.
 const _OF_THE_EDITOR: PackedStringArray = [
 	"application/config/description",
+	"application/config/features",
+	"compression/formats/zstd/compression_level",
 	"debug/gdscript/warnings/untyped_declaration",
 	"debug/gdscript/warnings/unsafe_property_access",
 	"debug/gdscript/warnings/unsafe_method_access",
@@ -88,21 +90,24 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	var ending := "scn" if path.get_extension() == "tscn" else "res"
 	var resource := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
 	if resource is PackedScene:
-		take_in_icons(resource as PackedScene)
+		make_lean(resource as PackedScene)
 	ResourceSaver.save(resource, _COMPRESSED + ending, ResourceSaver.FLAG_COMPRESS)
 	var bytes := FileAccess.get_file_as_bytes(_COMPRESSED + ending)
 	add_file(path.get_basename() + "." + ending, bytes, true)
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## Makes the icons that [param scene] shows a part of it.
-static func take_in_icons(scene: PackedScene) -> void:
+## Makes the icons that [param scene] shows a part of it, and leaves out the ids of its nodes: by
+## them the editor finds a node that has been moved or renamed in another scene.
+static func make_lean(scene: PackedScene) -> void:
 	var content: Dictionary = scene.get("_bundled")
 	var values: Array = content["variants"]
 	for place: int in values.size():
 		if values[place] is DPITexture:
 			var icon: DPITexture = values[place]
 			values[place] = icon.duplicate()
+	content["node_ids"] = PackedInt32Array()
+	content["id_paths"] = []
 	scene.set("_bundled", content)
 
 

@@ -13,7 +13,7 @@ const _TEXTS: Dictionary[String, String] = {
 	": `./lab new_lesson` begins a lesson of your own as a copy": "",
 	"## The smallest complete lesson: a vector": "## %s: a vector",
 	"## `./lab new_lesson` begins a lesson of your own as a copy of this one.\n": "",
-	"## The lesson that others are begun from: small, and complete.": "## The lesson “%s”.",
+	"## The smallest lesson, with which others begin.": "## The lesson “%s”.",
 }
 
 ## The id of the new lesson, such as `my_lesson`.

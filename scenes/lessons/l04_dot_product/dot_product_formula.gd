@@ -46,8 +46,8 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 
 
-## Shows the lines of [param step] with the numbers of [param model]. While it [param is_moving], what
-## is left by rounding is not told: such a long line for a single frame would make the panel jump.
+## Shows the lines of [param step] with the numbers of [param model]. What is left by rounding is
+## not told where it [param is_moving]: so long a line for a single frame makes the panel jump.
 func show_model(model: DotProductModel, step: int, is_moving: bool) -> void:
 	_put_both_vectors(model)
 	_put_dot(model, is_moving)

@@ -2,6 +2,9 @@ extends Lesson
 ## The lesson on position reset and point of impact: where within a frame a ball touches a line.
 ## Where the line and both positions of the ball are at the start is in the scene.
 
+## In the opening the ghost flies so often to new and back, in 20 seconds.
+const _FLIGHTS := 5.0
+
 var _model := PointOfImpactModel.new()
 var _formula: PointOfImpactFormula
 var _readout: PointOfImpactReadout
@@ -12,6 +15,7 @@ var _readout: PointOfImpactReadout
 @onready var _new: BallView = %New
 @onready var _old_handle: BallHandle = %OldHandle
 @onready var _new_handle: BallHandle = %NewHandle
+@onready var _ghost_handle: Handle = %GhostHandle
 
 
 func start() -> void:
@@ -19,9 +23,11 @@ func start() -> void:
 	_model.radius = _old.radius
 	_move_old(_old.at())
 	_move_new(_new.at())
+	_model.slide_to(_ghost_handle.at())
 	on_drag(_line.moved, _line.released, _model.move_line)
 	on_drag(_old_handle.moved, _old_handle.released, _move_old)
 	on_drag(_new_handle.moved, _new_handle.released, _move_new)
+	on_drag(_ghost_handle.moved, _ghost_handle.released, _model.slide_to)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _move_old(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _move_new(board.snapped_to_step(at)))
 	_formula = PointOfImpactFormula.new(services[&"formula"] as Formula)
@@ -35,6 +41,13 @@ func start() -> void:
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
+	open_with(_fly.bind(_model.moment))
+
+
+# What moves by itself: the ghost flies along v and back.
+func _fly(seconds: float, first: float) -> void:
+	var turn := acos(1.0 - 2.0 * first) + TAU * _FLIGHTS * seconds / OpeningMotion.LONGEST
+	_model.moment = snappedf(0.5 - 0.5 * cos(turn), 0.01)
 
 
 # What the student does.
@@ -48,11 +61,10 @@ func _move_new(to: Vec2) -> void:
 	_model.new_position = to.copy()
 
 
-# A mistake that changes nothing in this frame brings a frame along in which it does.
 func _take(changes: Dictionary) -> String:
 	var problem := _model.take(changes)
-	if changes.has("mistake") and _model.mistake != 0 and not _model.shows_mistake():
-		return _model.take(PointOfImpactModel.PRESETS["Not yet"])
+	if changes.has("mistake"):
+		_model.show_mistake(_model.mistake)
 	return problem
 
 
@@ -60,7 +72,29 @@ func _take(changes: Dictionary) -> String:
 
 
 func _show() -> void:
+	ask_choice_before(
+		PointOfImpactTexts.Step.FRACTION,
+		PointOfImpactTexts.question_on_case(),
+		PointOfImpactTexts.choices(),
+		PointOfImpactTexts.right_choice.bind(_model)
+	)
+	ask_before(
+		PointOfImpactTexts.Step.IMPACT,
+		PointOfImpactTexts.question_on_impact(),
+		_truth,
+		_first_guess
+	)
 	tell_steps(PointOfImpactTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
-	_readout.show_model(_model)
+	_readout.show_model(_model, step)
+
+
+# Null where the ball does not come to the line within the frame.
+func _truth() -> Vec2:
+	var is_on_the_way := _model.frame_case() == PointOfImpactModel.Case.IN_FRAME
+	return _model.impact().position if is_on_the_way else null
+
+
+func _first_guess() -> Vec2:
+	return _model.old_position.lerped(_model.new_position, 0.1)

@@ -20,6 +20,9 @@ const _OLD_IS_IMPACT := "old = POI"
 @onready var _new: BallView = %New
 @onready var _old_handle: BallHandle = %OldHandle
 @onready var _new_handle: BallHandle = %NewHandle
+@onready var _ghost: BallView = %Ghost
+@onready var _ghost_handle: Handle = %GhostHandle
+@onready var _ghost_name: BallName = %GhostName
 @onready var _reset: BallView = %Reset
 @onready var _reset_way: Arrow = %ResetWay
 @onready var _impact: BallView = %Impact
@@ -40,12 +43,13 @@ const _OLD_IS_IMPACT := "old = POI"
 ## Draws [param model] as far as [param step], counted from 0, has got.
 func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_line(model, step)
-	_lay_frame(model)
+	_lay_frame(model, step)
+	_lay_ghost(model)
 	_lay_reset(model, step)
 	_lay_ways(model, step)
 	_lay_impact(model, step)
 	_lay_mistake(model)
-	_show_verdict(model)
+	_show_verdict(model, step)
 
 
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
@@ -54,15 +58,15 @@ func _lay_line(model: PointOfImpactModel, step: int) -> void:
 	var normal := model.line.normal()
 	var touching := model.line.start.plus(normal.scaled(model.radius))
 	_contact_line.lay(touching, model.line.along())
-	_contact_line.visible = step >= 1
+	_contact_line.visible = step >= PointOfImpactTexts.Step.RESET
 	var times := 2.0 * _endless.board.grid_step
 	var foot := model.line.start.lerped(model.line.end, _SHARE_OF_NORMAL)
 	_normal.label = NumberText.short(times) + " n̂"
 	_normal.lay(foot, foot.plus(normal.scaled(times)))
-	_normal.visible = step >= 1
+	_normal.visible = step >= PointOfImpactTexts.Step.RESET
 
 
-func _lay_frame(model: PointOfImpactModel) -> void:
+func _lay_frame(model: PointOfImpactModel, step: int) -> void:
 	_motion.lay(model.old_position, model.new_position)
 	_old.lay(model.old_position, model.radius)
 	_new.lay(model.new_position, model.radius)
@@ -70,6 +74,7 @@ func _lay_frame(model: PointOfImpactModel) -> void:
 	_new_handle.place_ball(model.new_position, model.radius)
 	var ahead := _side_of_new_name(model)
 	var touches_at_once := model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START
+	touches_at_once = touches_at_once and step >= PointOfImpactTexts.Step.IMPACT
 	_old_name.label = _OLD_IS_IMPACT if touches_at_once else _OLD
 	_old_name.lay(model.old_position, model.radius, ahead.negated())
 	_new_name.lay(model.new_position, model.radius, ahead)
@@ -96,11 +101,24 @@ func _name_motion(model: PointOfImpactModel) -> void:
 	_motion_name.lay(place, 0.0, beside)
 
 
+# The ball at some moment of the frame.
+func _lay_ghost(model: PointOfImpactModel) -> void:
+	var place := model.position_at_moment()
+	_ghost.lay(place, model.radius)
+	_ghost_handle.place(place)
+	_ghost_name.label = "t = " + NumberText.short(model.moment, 2)
+	_ghost_name.lay(place, model.radius, _sideways(model).negated())
+	for part: CanvasItem in [_ghost, _ghost_handle, _ghost_name]:
+		part.visible = model.motion().length() > 0.0
+
+
 func _lay_reset(model: PointOfImpactModel, step: int) -> void:
 	var place := model.reset_position()
 	_reset.lay(place, model.radius)
 	_reset_way.lay(model.new_position, place)
-	_reset.visible = step >= 1 and model.is_reset() and model.mistake == 0
+	_reset.visible = (
+		step >= PointOfImpactTexts.Step.RESET and model.is_reset() and model.mistake == 0
+	)
 	_reset_way.visible = _reset.visible
 	_reset_name.lay(place, model.radius, _sideways(model))
 	_reset_name.visible = _reset.visible
@@ -119,14 +137,14 @@ func _lay_ways(model: PointOfImpactModel, step: int) -> void:
 	_b.offset = _a.offset + _a.label_room()
 	_b.lay(old, level, side)
 	_level.lay(model.new_position, level)
-	_a.visible = step >= 2
-	_b.visible = step >= 2
-	_level.visible = step >= 2
+	_a.visible = step >= PointOfImpactTexts.Step.WAYS
+	_b.visible = step >= PointOfImpactTexts.Step.WAYS
+	_level.visible = step >= PointOfImpactTexts.Step.WAYS
 
 
 func _lay_impact(model: PointOfImpactModel, step: int) -> void:
 	var impact := model.impact()
-	_impact.visible = step >= 4 and impact.hit
+	_impact.visible = step >= PointOfImpactTexts.Step.IMPACT and impact.hit
 	var is_on_the_way := model.frame_case() == PointOfImpactModel.Case.IN_FRAME
 	_off.visible = _impact.visible and _reset.visible and is_on_the_way
 	_impact_name.visible = _impact.visible and is_on_the_way
@@ -151,7 +169,8 @@ func _lay_mistake(model: PointOfImpactModel) -> void:
 
 
 # The card gives way to both positions of the ball.
-func _show_verdict(model: PointOfImpactModel) -> void:
+func _show_verdict(model: PointOfImpactModel, step: int) -> void:
+	_verdict.visible = step >= PointOfImpactTexts.Step.FRACTION or model.mistake != 0
 	var hits := model.impact().hit
 	_verdict.show_verdict(
 		"!" if hits else "×",

@@ -42,9 +42,16 @@ func _init(
 		_ask_point()
 
 
-## A question with numbers drawn from [param rng]; the ball touches within the frame, and its centre
-## ends behind the line.
+## A question with numbers drawn from [param rng]; the ball touches within the frame, its centre
+## ends behind the line, and every known mistake leads to an answer of its own.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExercise:
+	var exercise := _drawn(kind, rng)
+	while not exercise.tells_mistakes_apart():
+		exercise = _drawn(kind, rng)
+	return exercise
+
+
+static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExercise:
 	var its_radius := 5.0 * rng.randi_range(1, 2)
 	var way := _WAYS[rng.randi_range(0, _WAYS.size() - 1)]
 	var tenths := _TENTHS[rng.randi_range(0, _TENTHS.size() - 1)]

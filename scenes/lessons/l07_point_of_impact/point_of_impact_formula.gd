@@ -6,19 +6,13 @@ const _WAYS := (
 	"{a_symbol} = {old_distance} − {r_value} = {a}     "
 	+ "{b_symbol} = {old_distance} − {new_distance} = {b}"
 )
-# The lines that the steps after the first add.
-const _LATER_LINES: PackedStringArray = [
-	"{reset} = new + ({r_value} − {new_distance}) {n} = {reset_pair}",
-	_WAYS,
-	"t = {a_symbol} / {b_symbol} = {a} / {b} = {t}",
-	"{poi} = old + t v = {poi_pair}",
-]
 # What each mistake takes for t.
 const _WRONG_TERMS: Dictionary[int, String] = {
-	PointOfImpactMistakes.OVER_NEW: "a / new = {wrong_t}",
-	PointOfImpactMistakes.UNSIGNED: "a / (old − |new|) = {wrong_t}",
-	PointOfImpactMistakes.NOT_LIMITED: "any t, even {wrong_t}",
-	PointOfImpactMistakes.FROM_NEW: "(new − r) / b = {wrong_t}",
+	PointOfImpactMistakes.OVER_NEW: "{a} / {new_distance} = {wrong_t}",
+	PointOfImpactMistakes.UNSIGNED:
+	"(|{old_distance}| − {r_value}) / (|{old_distance}| − |{new_distance}|) = {wrong_t}",
+	PointOfImpactMistakes.NOT_LIMITED: "{a} / {b} = {wrong_t}",
+	PointOfImpactMistakes.FROM_NEW: "({new_distance} − {r_value}) / {b} = {wrong_t}",
 }
 
 var _formula: Formula
@@ -41,16 +35,44 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 func _lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 	var found: PackedStringArray = [
 		"old ( {old_x} , {old_y} )     new ( {new_x} , {new_y} )",
-		tr("l: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}"),
+		tr("line: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}"),
 	]
 	if model.mistake != 0:
 		# The wrong t beside the right one replaces motion, reset and POI.
-		found.append(_WAYS)
-		found.append("t = {t}     {wrong}: " + _WRONG_TERMS[model.mistake])
-		return found
+		return found + PackedStringArray([_WAYS, _line_of_t(model), _line_of_wrong_t(model)])
 	found.append("v = new − old = {v_pair}     |v| = {speed}")
-	found.append_array(_LATER_LINES.slice(0, step))
-	return found
+	var added: PackedStringArray = [
+		_line_of_reset(model), _WAYS, _line_of_t(model), _line_of_impact(model)
+	]
+	return found + added.slice(0, step)
+
+
+func _line_of_reset(model: PointOfImpactModel) -> String:
+	if model.is_reset():
+		return "{reset} = new + ({r_value} − {new_distance}) {n} = {reset_pair}"
+	return "{reset}: " + tr("not needed")
+
+
+func _line_of_t(model: PointOfImpactModel) -> String:
+	if model.way_of_frame() == 0.0:
+		return "t: " + tr("none, b is 0")
+	return "t = {a_symbol} / {b_symbol} = {a} / {b} = {t}"
+
+
+func _line_of_wrong_t(model: PointOfImpactModel) -> String:
+	if is_finite(model.fraction_with_mistake()):
+		return "{wrong}: " + _WRONG_TERMS[model.mistake]
+	return "{wrong}: " + tr("divides by 0")
+
+
+# A contact before the frame is one at its start.
+func _line_of_impact(model: PointOfImpactModel) -> String:
+	match model.frame_case():
+		PointOfImpactModel.Case.IN_FRAME:
+			return "{poi} = old + t v = {poi_pair}"
+		PointOfImpactModel.Case.OVERLAPS_FROM_START:
+			return "{poi} = old + 0 v = {poi_pair}"
+	return "{poi}: " + tr("none")
 
 
 func _put_symbols() -> void:
@@ -83,18 +105,13 @@ func _put_distances(model: PointOfImpactModel) -> void:
 	_formula.put_number("r_value", model.radius, Palette.Role.INK)
 	_formula.put_number("a", model.way_to_contact(), Palette.Role.A)
 	_formula.put_number("b", model.way_of_frame(), Palette.Role.B)
-	_formula.put_text("t", NumberText.short(model.fraction()), Palette.Role.INK)
-	_formula.put_text(
-		"wrong_t", NumberText.short(model.fraction_with_mistake()), Palette.Role.WRONG
-	)
+	_formula.put_number("t", model.fraction(), Palette.Role.INK)
+	_formula.put_number("wrong_t", model.fraction_with_mistake(), Palette.Role.WRONG)
 
 
 func _put_places(model: PointOfImpactModel) -> void:
 	_formula.put_vector("v_pair", model.motion(), Palette.Role.INK)
-	_formula.put_text("reset_pair", tr("not needed"), Palette.Role.REST)
-	_formula.put_text("poi_pair", tr("none"), Palette.Role.PROJECTION)
-	if model.is_reset():
-		_formula.put_vector("reset_pair", model.reset_position(), Palette.Role.REST)
+	_formula.put_vector("reset_pair", model.reset_position(), Palette.Role.REST)
 	var impact := model.impact()
 	if impact.hit:
 		_formula.put_vector("poi_pair", impact.position, Palette.Role.PROJECTION)

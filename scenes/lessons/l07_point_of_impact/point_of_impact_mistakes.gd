@@ -32,24 +32,28 @@ static func infos() -> Array[MistakeInfo]:
 			OVER_NEW,
 			LabText.translate("a / new instead of a / b"),
 			LabText.translate("b is the way of the frame: old − new."),
-			"test_point_of_impact.test_b_is_old_less_new"
+			"test_point_of_impact.test_b_is_old_less_new",
+			LabText.translate("The test wants t = a / b for distances whose b is not new.")
 		),
 		MistakeInfo.new(
 			UNSIGNED,
 			LabText.translate("distances without a sign"),
 			LabText.translate("Behind the line, the new distance is negative."),
-			"test_point_of_impact.test_distances_are_signed"
+			"test_point_of_impact.test_distances_are_signed",
+			LabText.translate("The test ends the frame behind the line.")
 		),
 		MistakeInfo.new(
 			NOT_LIMITED,
 			LabText.translate("t not limited to 0..1"),
 			LabText.translate("Outside 0..1, and for b = 0, nothing is hit."),
-			"test_point_of_impact.test_share_is_limited"
+			"test_point_of_impact.test_share_is_limited",
+			LabText.translate("The test wants no impact for t below 0, above 1, and for b = 0.")
 		),
 		MistakeInfo.new(
 			FROM_NEW,
 			LabText.translate("time from the new position"),
 			LabText.translate("t counts from old: a is old − r."),
-			"test_point_of_impact.test_time_is_from_old"
+			"test_point_of_impact.test_time_is_from_old",
+			LabText.translate("The test wants old + t v to be a radius from the line.")
 		),
 	]

@@ -12,10 +12,10 @@ const _LONG_LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
 ## those of the course's scenes, in pixels per frame.
 const PRESETS: Dictionary[String, Dictionary] = {
 	"Course": {old = [6.0, -58.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
-	"10 px": {old = [6.0, -13.0], new = [6.0, -3.0], line = _LINE, radius = 10.0},
-	"38 px": {old = [6.0, -27.0], new = [6.0, 11.0], line = _LINE, radius = 10.0},
-	"72 px": {old = [6.0, -44.0], new = [6.0, 28.0], line = _LINE, radius = 10.0},
-	"500 px": {old = [6.0, -258.0], new = [6.0, 242.0], line = _LONG_LINE, radius = 10.0},
+	"10 px": {old = [6.0, -10.0], new = [6.0, 0.0], line = _LINE, radius = 10.0},
+	"38 px": {old = [6.0, -36.5], new = [6.0, 1.5], line = _LINE, radius = 10.0},
+	"72 px": {old = [6.0, -26.0], new = [6.0, 46.0], line = _LINE, radius = 10.0},
+	"500 px": {old = [6.0, -308.0], new = [6.0, 192.0], line = _LONG_LINE, radius = 10.0},
 	"Not yet": {old = [6.0, -58.0], new = [6.0, -20.5], line = _LINE, radius = 10.0},
 	"Inside": {old = [3.0, -4.0], new = [3.0, 21.0], line = _LINE, radius = 10.0},
 	"Away": {old = [12.0, -16.0], new = [12.0, -66.0], line = _LINE, radius = 10.0},
@@ -33,6 +33,8 @@ var old_position := Vec2.new(6.0, -58.0)
 var new_position := Vec2.new(6.0, 42.0)
 ## The ball's radius in pixels.
 var radius := 10.0
+## The moment of the frame at which the ghost of the ball is shown: 0 at old, 1 at new.
+var moment := 0.0
 ## The mistake that is switched on, by its number in [PointOfImpactMistakes]; 0 for none.
 var mistake := 0
 
@@ -40,6 +42,17 @@ var mistake := 0
 ## The motion of the whole frame v, in pixels: new less old position.
 func motion() -> Vec2:
 	return new_position.minus(old_position)
+
+
+## Where the ball is at the [member moment] of the frame, if nothing is in the way.
+func position_at_moment() -> Vec2:
+	return old_position.lerped(new_position, moment)
+
+
+## Moves the ghost to the point of the path that is nearest to [param point].
+func slide_to(point: Vec2) -> void:
+	if motion().length() > 0.0:
+		moment = clampf(LineSegment.new(old_position, new_position).share_of(point), 0.0, 1.0)
 
 
 ## Signed distance of the old position from the line, in pixels.
@@ -112,10 +125,20 @@ func position_with_mistake() -> Vec2:
 	return old_position.plus(motion().scaled(fraction_with_mistake()))
 
 
-## Whether the mistake that is switched on makes a difference: another t, or one that is taken where
-## there is no impact.
+## Whether the mistake that is switched on makes a difference: another t, or, for one that believes
+## every t, one that is taken where there is no impact.
 func shows_mistake() -> bool:
-	return fraction_with_mistake() != fraction() or frame_case() != Case.IN_FRAME
+	if mistake == PointOfImpactMistakes.NOT_LIMITED:
+		return frame_case() != Case.IN_FRAME
+	return fraction_with_mistake() != fraction()
+
+
+## Switches a mistake on. Where it changes nothing, a preset is shown in which it does.
+func show_mistake(number: int) -> void:
+	mistake = number
+	for preset: String in ["Course", "Not yet"]:
+		if number != 0 and not shows_mistake():
+			take(PRESETS[preset])
 
 
 ## The points that the board has to show: the ends of the line, both balls as far as half their
@@ -195,6 +218,7 @@ func to_dictionary() -> Dictionary:
 		"old": PackedFloat64Array([old_position.x, old_position.y]),
 		"new": PackedFloat64Array([new_position.x, new_position.y]),
 		"radius": radius,
+		"moment": moment,
 		"mistake": mistake,
 	}
 
@@ -208,10 +232,18 @@ func problem_in(stored: Dictionary) -> String:
 			[
 				model.line.problem(),
 				Ball.new(model.old_position, model.radius).problem(),
+				_problem_in_moment(model.moment),
 				StateCheck.mistake(model.mistake, PointOfImpactMistakes.infos()),
 			]
 		)
 	)
+
+
+static func _problem_in_moment(wanted: float) -> String:
+	if wanted >= 0.0 and wanted <= 1.0:
+		return ""
+	var sentence := LabText.translate("The moment must be within 0..1, not %s.")
+	return sentence % NumberText.short(wanted)
 
 
 func from_dictionary(stored: Dictionary) -> void:
@@ -222,4 +254,5 @@ func from_dictionary(stored: Dictionary) -> void:
 	old_position = Vec2.new(old[0], old[1])
 	new_position = Vec2.new(new[0], new[1])
 	radius = stored["radius"]
+	moment = stored["moment"]
 	mistake = stored["mistake"]

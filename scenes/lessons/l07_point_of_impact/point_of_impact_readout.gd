@@ -18,8 +18,10 @@ func measure(model: PointOfImpactModel) -> void:
 	_nanoseconds["reset"] = CallTimer.nanoseconds(model.reset_position)
 
 
-## Shows both places of [param model], their errors, and the run times that were measured last.
-func show_model(model: PointOfImpactModel) -> void:
+## Shows both places of [param model], their errors, and the run times that were measured last,
+## when the last step has both.
+func show_model(model: PointOfImpactModel, step: int) -> void:
+	_readout.visible = step >= PointOfImpactTexts.Step.IMPACT
 	var impact := model.impact()
 	_show_call("impact", tr("POI"), impact.position if impact.hit else null, model)
 	_show_call("reset", tr("reset"), model.reset_position() if model.is_reset() else null, model)

@@ -130,7 +130,6 @@ func _settle() -> void:
 
 
 func _show() -> void:
-	tell_steps(AngledLinesTexts.steps())
 	_options.show_model(_model, _drawing.has_trails, _engine.is_on())
 	services[&"readout"].visible = step >= 2
 	_engine.begin_anew(_model)
@@ -151,6 +150,7 @@ func _show_moment() -> void:
 	_drawing.show_moment(_model, forecast)
 	_timeline.show_model(_model)
 	_engine.show_moment(_model)
+	tell_steps(AngledLinesTexts.steps(_model, forecast))
 	var bounce := forecast.next_bounce if forecast else _model.last_bounce
 	if _formula.show_moment(_model, bounce if step == 1 else null, _player.is_playing()):
 		_show_status()

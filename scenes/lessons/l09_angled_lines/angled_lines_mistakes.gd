@@ -89,7 +89,7 @@ static func all() -> Array[MistakeInfo]:
 				"The ball overlaps, so it is reflected, frame after frame: it sinks in and jitters."
 			),
 			"test_known_stepping_mistakes.test_a_ball_that_moves_away_is_not_reflected_again",
-			LabText.translate("A ball that overlaps but moves away must keep its velocity.")
+			LabText.translate("The test has a ball overlap and move away: its velocity must stay.")
 		),
 		MistakeInfo.new(
 			21,
@@ -99,7 +99,7 @@ static func all() -> Array[MistakeInfo]:
 			),
 			"test_known_stepping_mistakes.test_the_earliest_of_two_walls_is_hit",
 			LabText.translate(
-				"Two walls, listed in both orders: the ball must bounce off the nearer."
+				"The test lists two walls in both orders: the ball must hit the nearer."
 			)
 		),
 		MistakeInfo.new(
@@ -109,7 +109,9 @@ static func all() -> Array[MistakeInfo]:
 				"After a bounce the ball waits for the next frame, while gravity still changes v."
 			),
 			"test_known_stepping_mistakes.test_the_rest_of_the_frame_is_used",
-			LabText.translate("After a bounce the ball must fly on for the rest of the frame.")
+			LabText.translate(
+				"The test lets a ball bounce: it must fly on for the rest of the frame."
+			)
 		),
 		(
 			MistakeInfo
@@ -124,7 +126,7 @@ static func all() -> Array[MistakeInfo]:
 				),
 				"test_known_stepping_mistakes.test_gravity_before_the_bounce_lasts_until_the_bounce",
 				LabText.translate(
-					"The speed at the bounce must fit the height of the fall: v² = v₀² + 2 g s."
+					"The test drops a ball: at the bounce v² = v₀² + 2 g s must hold."
 				)
 			)
 		),

@@ -21,8 +21,9 @@ static func scenes() -> PackedStringArray:
 	return titles
 
 
-## What the steps say.
-static func steps() -> PackedStringArray:
+## What the steps say of [param model], where [param forecast] is the path to come; null while it is
+## not shown, because time runs.
+static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStringArray:
 	return [
 		(
 			LabText
@@ -30,13 +31,27 @@ static func steps() -> PackedStringArray:
 				"Drag on the board to draw a line; drag ball, v, g, lines. To delete a line click it, then ✕."
 			)
 		),
-		LabText.translate(
-			"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
-		),
+		_bounce_step(model, forecast),
 		LabText.translate(
 			"The same minute, stepped in four ways. E may never grow; with C = 1 it must stay."
 		),
 	]
+
+
+static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> String:
+	if model.world.is_lost[model.selected] == 1:
+		return LabText.translate("The ball is lost: it has left the board.")
+	if not forecast and model.last_bounce:
+		return LabText.translate(
+			"At its last bounce v₁ turned into v₂. Pause to see the path to come."
+		)
+	if not forecast:
+		return LabText.translate("It has not bounced yet. Pause to see the path to come.")
+	if not forecast.next_bounce:
+		return LabText.translate("Dotted is the path to come: there is no bounce on it.")
+	return LabText.translate(
+		"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
+	)
 
 
 ## What is asked before the path is shown.

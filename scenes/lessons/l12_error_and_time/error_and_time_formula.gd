@@ -8,7 +8,7 @@ const _LINES: PackedStringArray = [
 	_ORDER,
 	"{e1} / {e2} = {e1_number} / {e2_number} = {errors}",
 	"{t2} / {t1} = {t2_number} / {t1_number} = {times}",
-	"{p} = log {errors} / log {times} = {p_number}",
+	"{p} = log( {errors} ) / log( {times} ) = {p_number}",
 ]
 
 var _formula: Formula

@@ -26,7 +26,7 @@ static func steps() -> PackedStringArray:
 
 ## What is asked before the frontier is shown.
 static func closest_prompt() -> String:
-	return LabText.translate("Which method has the smallest error, by its run time?")
+	return LabText.translate("Read the plot: by run time, which method has the smallest error?")
 
 
 ## The answers to that, in the order of [method ErrorAndTimeModel.rank_of_closest].

@@ -52,6 +52,8 @@ var _sizes: PackedInt32Array = []
 var _alone: PackedInt32Array = []
 # The place of the result among the names; -1 where nothing can be checked.
 var _result := -1
+# How many digits the result has now.
+var _result_digits := RESULT_DIGITS
 # For each component the sides that can be computed, and the same with the sizes of all terms added.
 var _computed: Array[Array] = [[], []]
 var _added: Array[Array] = [[], []]
@@ -92,7 +94,7 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 			found.append("")
 		elif place == _result:
 			found.append(
-				_text(numbers[_names[place]], _scales(numbers, terms), RESULT_DIGITS, true)
+				_text(numbers[_names[place]], _scales(numbers, terms), _result_digits, true)
 			)
 		else:
 			var number := numbers[_names[place]]
@@ -145,7 +147,9 @@ func _names_in(side: String) -> PackedInt32Array:
 	return places
 
 
-func _add_computed(side: String) -> void:
+# What is before a colon are words.
+func _add_computed(whole_side: String) -> void:
+	var side := whole_side.get_slice(": ", whole_side.get_slice_count(": ") - 1)
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
@@ -187,10 +191,14 @@ func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> 
 	return scales
 
 
+# Where rounding leaves little of the result, only its first digits hold.
 func _digits_that_hold(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> int:
-	for digits in _DIGITS:
-		if _holds(numbers, terms, digits):
-			return digits
+	for result_digits in range(RESULT_DIGITS, 0, -1):
+		_result_digits = result_digits
+		for digits in _DIGITS:
+			if _holds(numbers, terms, digits):
+				return digits
+	_result_digits = RESULT_DIGITS
 	return RESULT_DIGITS
 
 
@@ -199,8 +207,8 @@ func _holds(numbers: Dictionary[String, Number], terms: PackedFloat64Array, digi
 	var scales := _scales(numbers, terms)
 	for component in terms.size():
 		var result := numbers[_names[_result]].components[component]
-		var shown := _shown(result, scales[component], RESULT_DIGITS)
-		var tolerance := NumberText.last_digit(result, RESULT_DIGITS)
+		var shown := _shown(result, scales[component], _result_digits)
+		var tolerance := NumberText.last_digit(result, _result_digits)
 		if shown == 0.0:
 			tolerance = terms[component] * (_ZERO if digits <= _FEW_DIGITS else NEARLY_ZERO)
 		for expression: Expression in _computed[component]:

@@ -1,5 +1,5 @@
 extends LabTest
-## `./lab` itself: what is asked for wrongly gets one line and exit code 2.
+## `./lab` itself: a wrong request gets one line and exit code 2.
 
 const _PROJECT := "res://build/setup_test"
 

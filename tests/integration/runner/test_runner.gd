@@ -1,5 +1,5 @@
 extends LabTest
-## `./lab test` itself: whatever is wrong turns it red, under GUT as well as under its stand-in.
+## `./lab test` itself: anything wrong turns it red, under GUT as well as under its stand-in.
 ## Each test runs one folder of cases/ in a small project, with the runner that runs this test.
 
 const PROJECT := "res://build/runner_test"

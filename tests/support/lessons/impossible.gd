@@ -2,7 +2,7 @@ extends Lesson
 ## A lesson for tests whose start cannot be shown.
 
 
-## A model with a number that cannot be.
+## A model with an impossible number.
 class ImpossibleModel:
 	extends LessonModel
 

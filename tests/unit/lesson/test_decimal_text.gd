@@ -50,7 +50,7 @@ func test_people_may_write_a_number_in_their_own_way() -> void:
 	assert_eq(DecimalText.value_of("5."), 5.0)
 
 
-# The last digit decides in which half the number is, however far behind it stands.
+# The last digit decides in which half the number is, however far to the right it is.
 func test_more_digits_than_a_double_has_are_rounded_once() -> void:
 	assert_eq(DecimalText.value_of("9007199254740993.000000000000000"), 9007199254740992.0)
 	assert_eq(DecimalText.value_of("9007199254740993.000000000000001"), 9007199254740994.0)

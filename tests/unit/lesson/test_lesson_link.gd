@@ -81,9 +81,9 @@ func test_what_only_tracks_the_reader_is_passed_over() -> void:
 
 
 func test_a_misspelt_name_is_no_tracker() -> void:
-	for name: String in ["cuont", "utm", "clip", "shares"]:
-		var sentence := "There is no value “%s” here." % name
-		assert_string_starts_with(LessonLink.read(name + "=1", _base()).problem, sentence)
+	for word: String in ["cuont", "utm", "clip", "shares"]:
+		var sentence := "There is no value “%s” here." % word
+		assert_string_starts_with(LessonLink.read(word + "=1", _base()).problem, sentence)
 
 
 func test_an_array_may_be_empty() -> void:

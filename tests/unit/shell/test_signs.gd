@@ -1,6 +1,5 @@
 extends LabTest
-## Everything that is written in the lab can be written without the system's fonts: a browser has
-## none to lend.
+## All texts of the lab can be written without the system's fonts: a browser provides none.
 
 const _ESCAPED := "\\\\u([0-9a-f]{4})"
 

@@ -38,6 +38,23 @@ func test_a_ball_that_touches_nothing_is_not_asked_for() -> void:
 	assert_no_refusal(_model().set_lines([] as Array[LineSegment]))
 	await student.press(&"lab_next_step")
 	assert_eq(frame().lesson.step, 1)
+	assert_reads("there is no bounce on it")
+
+
+func test_the_second_step_speaks_only_of_what_is_shown() -> void:
+	_steps().go_to(1)
+	await student.settle()
+	assert_reads("At the ring the ball touches a line")
+	await student.press(&"lab_pause")
+	await student.settle()
+	assert_reads("It has not bounced yet.")
+	while not _model().last_bounce:
+		await get_tree().process_frame
+	await student.settle()
+	assert_reads("At its last bounce v₁ turned into v₂.")
+	await student.press(&"lab_pause")
+	await student.settle()
+	assert_reads("At the ring the ball touches a line")
 
 
 func test_the_third_step_asks_which_way_gains_energy_and_then_compares() -> void:
@@ -248,7 +265,7 @@ func test_space_after_a_click_on_a_switch_is_slow_motion() -> void:
 	assert_eq(_model().preset, 6)
 
 
-func test_every_digit_puts_up_its_preset() -> void:
+func test_every_digit_picks_its_preset() -> void:
 	for preset: int in 10:
 		await student.press(StringName("lab_preset_%d" % preset))
 		assert_eq(_model().preset, preset)

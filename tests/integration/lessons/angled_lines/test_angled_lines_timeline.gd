@@ -1,5 +1,5 @@
 extends BallLessonTest
-## Drives what the event world brings to the lesson on angled lines: the timeline of impacts, by
+## Drives what the event world adds to the lesson on angled lines: the timeline of impacts, by
 ## mouse, keys, buttons and gamepad, and Godot's own body on the same shot.
 
 
@@ -129,7 +129,7 @@ func test_the_name_of_godots_body_and_where_it_parted_never_lie_on_one_another()
 	assert_between(closest, 18.0, 60.0)
 
 
-func test_godots_body_starts_anew_when_the_shot_changes() -> void:
+func test_godots_body_starts_again_when_the_shot_changes() -> void:
 	await click_button("Godot")
 	for i: int in 60:
 		await student.press(&"lab_next_frame")

@@ -53,7 +53,7 @@ func test_swapped_the_rest_is_labelled_b_minus_p() -> void:
 	assert_eq(rejection.label, "b − p")
 
 
-func test_every_preset_sets_both_vectors_up() -> void:
+func test_every_preset_sets_both_vectors() -> void:
 	var presets: Dictionary[String, PackedFloat64Array] = {
 		"Right angle": [4, 3, 6, -8],
 		"Obtuse": [-5, 2, 8, -6],
@@ -80,7 +80,7 @@ func test_the_words_say_what_the_sign_means() -> void:
 		assert_reads(words[preset])
 
 
-func test_the_sign_stands_in_the_ball_as_well_as_its_colour() -> void:
+func test_the_ball_shows_the_sign_as_well_as_its_color() -> void:
 	var signs: Dictionary[String, String] = {"Lecture": "+", "Right angle": "0", "Obtuse": "−"}
 	for preset: String in signs:
 		await click_button(preset)

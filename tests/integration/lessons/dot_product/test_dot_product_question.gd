@@ -3,7 +3,7 @@ extends DotProductTest
 
 const _SEED := 3
 
-# The vectors of the question, as they stand in its prompt.
+# The vectors of the question, as its prompt writes them.
 var _a: Vec2
 var _b: Vec2
 

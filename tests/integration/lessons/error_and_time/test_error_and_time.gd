@@ -32,7 +32,7 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
-	assert_reads("smallest error, by its run time?")
+	assert_reads("which method has the smallest error?")
 	await click_button("the slowest")
 	var is_slowest := _model().rank_of_closest() == 2
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
@@ -40,6 +40,26 @@ func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await click_button("1/2")
 	assert_reads("No: it is 1/4")
 	assert_eq(frame().lesson.step, 2)
+
+
+func test_what_is_said_of_each_point_is_true_in_several_problems() -> void:
+	_steps().go_to(1)
+	for problem: int in [0, 1, 2, 6]:
+		await _pick("What is measured", problem)
+		await _finish_measuring()
+		var there := _run().measurements()
+		for place in there.size():
+			_plot().call(&"_choose", place)
+			await student.settle()
+			var beaten := there.any(
+				func(other: Measurement) -> bool: return _beats(other, there[place])
+			)
+			var title := "%s of problem %d" % [there[place].method, problem]
+			assert_ne(Screen.reads(screen(), "on the frontier"), beaten, title)
+			var fastest: float = there.map(_time_of).min()
+			var times := NumberText.short(there[place].run_time_us / fastest, 3)
+			assert_eq(_readout_text(3, 3), times, title)
+		assert_eq(_model().rank_of_closest(), _rank_of_closest(there), "problem %d" % problem)
 
 
 func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
@@ -50,7 +70,7 @@ func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 	await student.settle()
 	var lines := Screen.lines(frame().lesson.services[&"formula"] as Formula)
 	assert_string_contains(lines[0], "p = log( e₁ / e₂ ) / log( t₂ / t₁ )")
-	assert_string_contains(lines[3], "p = log ")
+	assert_string_contains(lines[3], "p = log( ")
 	var shown := lines[3].get_slice(" = ", 2).replace("\u2212", "-").to_float()
 	var there := _run().measurements()
 	var order := ErrorAndTimeModel.order(
@@ -100,7 +120,7 @@ func test_points_appear_one_by_one_while_the_window_stays_alive() -> void:
 
 
 func test_p_stops_where_it_is_and_goes_on() -> void:
-	await _measure_anew()
+	await _measure_again()
 	await student.press(&"lab_pause")
 	var runs := _run().done_count()
 	await student.settle()
@@ -110,8 +130,8 @@ func test_p_stops_where_it_is_and_goes_on() -> void:
 	assert_gt(_run().done_count(), runs)
 
 
-func test_the_button_stops_and_measures_anew() -> void:
-	await _measure_anew()
+func test_the_button_stops_and_measures_again() -> void:
+	await _measure_again()
 	await click_button("Stop")
 	assert_false(_run().is_going)
 	await click_button("Measure")
@@ -178,7 +198,7 @@ func test_a_link_to_a_situation_measures_it_at_once() -> void:
 	assert_true(_run().is_going)
 
 
-func test_reset_begins_anew() -> void:
+func test_reset_measures_again() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_reset")
 	assert_eq(_run().done_count(), 0)
@@ -256,6 +276,36 @@ func _steps() -> Steps:
 	return frame().lesson.services[&"steps"] as Steps
 
 
+# Faster and not worse, or closer and not slower.
+func _beats(one: Measurement, other: Measurement) -> bool:
+	if one.run_time_us > other.run_time_us or not one.error <= other.error:
+		return false
+	return one.run_time_us < other.run_time_us or one.error < other.error
+
+
+func _time_of(one: Measurement) -> float:
+	return one.run_time_us
+
+
+# 0 if the smallest error is the fastest one's, 2 if it is the slowest one's, else 1.
+func _rank_of_closest(all: Array[Measurement]) -> int:
+	if all.size() < 3:
+		return -1
+	var times: Array = all.map(_time_of)
+	var closest := all[0]
+	for one in all:
+		var is_faster := one.error == closest.error and one.run_time_us < closest.run_time_us
+		closest = one if one.error < closest.error or is_faster else closest
+	if closest.run_time_us == times.min():
+		return 0
+	return 2 if closest.run_time_us == times.max() else 1
+
+
+func _readout_text(row: int, column: int) -> String:
+	var readout := frame().lesson.services[&"readout"] as Readout
+	return (readout.get_child(row * readout.columns + column) as Label).text
+
+
 # The last entry in the list of problems.
 func _open_stability() -> void:
 	await _pick("What is measured", _model().problems.size())
@@ -295,7 +345,7 @@ func _pixel(place: int) -> Vector2:
 	return _plot().get_global_transform() * _plot().pixel_of(place)
 
 
-func _measure_anew() -> void:
+func _measure_again() -> void:
 	await _finish_measuring()
 	await click_button("Measure")
 

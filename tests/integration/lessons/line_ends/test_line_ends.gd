@@ -13,7 +13,7 @@ func before_each() -> void:
 	await go_to_step()
 
 
-func test_the_first_sight_tells_what_happens_in_each_field() -> void:
+func test_at_the_start_each_field_says_what_happens_in_it() -> void:
 	assert_eq(_words("InfiniteOneSided"), "passes through from behind")
 	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.198")
 	assert_eq(_words("SegmentOneSided"), "passes beside, cuts the end")
@@ -132,7 +132,7 @@ func test_a_near_miss_says_that_there_is_no_root() -> void:
 
 func test_playing_flies_the_ball_and_stops_at_the_end_of_the_frame() -> void:
 	await student.press(&"lab_pause")
-	assert_lt(_fraction(), 1.0, "it begins anew")
+	assert_lt(_fraction(), 1.0, "it starts again")
 	Engine.time_scale = 20.0
 	for i: int in 3000:
 		if not _transport().is_playing:

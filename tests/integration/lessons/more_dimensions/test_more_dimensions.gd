@@ -135,7 +135,7 @@ func _numbers(key: String) -> PackedFloat64Array:
 	return held
 
 
-# A handle of the bars bears the same name as its field.
+# A handle of the bars has the same name as its field.
 func _field(title: String) -> LineEdit:
 	var panel := frame().get_node("%Panel")
 	return Screen.named(panel, title) as LineEdit

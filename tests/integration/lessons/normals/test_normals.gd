@@ -139,7 +139,7 @@ func test_mistake_7_shows_a_short_vector_taken_for_zero() -> void:
 	assert_reads("right: (−0.8, 0.6)")
 
 
-func test_the_name_of_n_stands_beside_it_where_the_unit_normal_is_longer() -> void:
+func test_the_name_of_n_is_beside_it_where_the_unit_normal_is_longer() -> void:
 	var normal := frame().lesson.get_node("%Normal") as Arrow
 	assert_eq(normal.label_place, Arrow.LabelPlace.HEAD)
 	await pick_mistake("Mistake 7")

@@ -23,7 +23,7 @@ func test_the_readout_says_how_far_both_are_from_the_exact_contact() -> void:
 
 func test_for_any_speed_the_impact_is_exact_and_the_reset_misses() -> void:
 	var misses: Dictionary[String, String] = {
-		"10 px": "3 px", "38 px": "11.4 px", "72 px": "21.6 px", "500 px": "150 px"
+		"10 px": "4.8 px", "38 px": "5.7 px", "72 px": "32.4 px", "500 px": "120 px"
 	}
 	for speed in misses:
 		await click_button(speed)
@@ -36,9 +36,9 @@ func test_each_preset_is_explained_in_words() -> void:
 	var words: Dictionary[String, String] = {
 		"Not yet": "t = 1.333, above 1",
 		"Inside": "too close already: contact at once",
-		"Away": "it moves away: never an impact",
-		"Leaving": "t = 0.25, but b below 0",
-		"Along": "b = 0: nothing to divide by",
+		"Away": "it moves away: no impact",
+		"Leaving": "it is on its way out: no impact",
+		"Along": "b = 0: no t",
 		"Course": "it touches in this frame",
 	}
 	for title in words:
@@ -55,7 +55,7 @@ func test_old_and_new_position_can_be_dragged() -> void:
 
 func test_a_ball_dragged_away_from_the_line_has_no_impact() -> void:
 	await drag(Vec2.new(6, 42), Vec2.new(70, -60))
-	assert_reads("never an impact")
+	assert_reads("it moves away: no impact")
 	assert_eq(seen(["%Impact", "%Reset", "%Off"]), [false, false, false])
 	assert_eq(readout_text(1, 1), "none")
 
@@ -123,7 +123,9 @@ func test_the_largest_numbers_are_taken_and_drawn_without_an_error() -> void:
 
 func test_old_and_new_at_the_same_place_divide_nothing() -> void:
 	await student.enter(field("y of the new position"), "-58")
-	assert_reads("b = 0: nothing to divide by")
+	assert_reads("v = 0: no t")
+	assert_reads("it does not move")
+	assert_has(formula_lines(), "t: none, b is 0")
 
 
 func test_a_speed_of_0_is_refused_with_a_sentence() -> void:
@@ -137,7 +139,7 @@ func test_undo_redo_and_reset() -> void:
 	await student.press(&"lab_undo")
 	assert_eq(numbers("old"), PackedFloat64Array([6, -58]))
 	await student.press(&"lab_redo")
-	assert_eq(numbers("old"), PackedFloat64Array([6, -258]))
+	assert_eq(numbers("old"), PackedFloat64Array([6, -308]))
 	await student.press(&"lab_reset")
 	assert_eq(numbers("old"), PackedFloat64Array([6, -58]))
 	assert_reads("t = 0.5, within 0..1")
@@ -155,23 +157,22 @@ func test_steps_build_the_drawing_and_the_formula_up() -> void:
 	assert_has(formula_lines(), "reset = new + (10 − (−30)) n̂ = (30, 10)")
 	await student.press(&"lab_next_step")
 	assert_eq(seen(parts), [true, true, true, false])
-	await student.press(&"lab_next_step")
-	await student.press(&"lab_next_step")
+	await go_to_step()
 	assert_eq(seen(parts), [true, true, true, true])
 	assert_has(formula_lines(), "POI = old + t v = (6, −8)")
 
 
 func test_each_mistake_shows_its_wrong_share_beside_the_right_one() -> void:
 	var wrong: Dictionary[String, String] = {
-		"Mistake 15": "a / new = −1.333",
-		"Mistake 16": "a / (old − |new|) = 2",
-		"Mistake 20": "(new − r) / b = −0.5",
+		"Mistake 15": "40 / (−30) = −1.333",
+		"Mistake 16": "(|50| − 10) / (|50| − |(−30)|) = 2",
+		"Mistake 20": "((−30) − 10) / 80 = −0.5",
 	}
 	for heading in wrong:
 		await pick_mistake(heading)
-		assert_eq(formula_lines()[-1], "t = 0.5     wrong: " + wrong[heading])
+		assert_eq(formula_lines()[-1], "wrong: " + wrong[heading])
 		assert_eq(seen(["%Impact", "%Wrong"]), [true, true])
-		assert_reads("Caught by test_point_of_impact.test_")
+		assert_reads("The test ")
 	await pick_mistake("No mistake")
 	assert_eq(seen(["%Impact", "%Wrong"]), [true, false])
 
@@ -179,7 +180,7 @@ func test_each_mistake_shows_its_wrong_share_beside_the_right_one() -> void:
 func test_a_mistake_that_divides_by_0_loses_the_ball_and_nothing_breaks() -> void:
 	await pick_mistake("Mistake 17")
 	await click_button("Along")
-	assert_reads("the mistake says t = ∞: ball lost")
+	assert_reads("the mistake divides by 0: the ball is lost")
 	assert_eq(seen(["%Wrong"]), [false])
 
 
@@ -187,17 +188,46 @@ func test_a_mistake_that_changes_nothing_says_so() -> void:
 	await pick_mistake("Mistake 17")
 	await click_button("Course")
 	assert_reads("the mistake changes nothing here")
-	assert_eq(formula_lines()[-1], "t = 0.5     wrong: any t, even 0.5")
+	assert_eq(formula_lines()[-1], "wrong: 40 / 80 = 0.5")
 
 
 func test_a_mistake_that_this_frame_would_not_show_brings_one_that_does() -> void:
 	await pick_mistake("Mistake 17")
-	assert_reads("the mistake takes this t all the same")
-	assert_eq(formula_lines()[-1], "t = 1.333     wrong: any t, even 1.333")
+	assert_reads("the mistake takes t = 1.333 all the same")
+	assert_eq(formula_lines()[-1], "wrong: 40 / 30 = 1.333")
 	assert_eq(seen(["%Impact", "%Wrong"]), [false, true])
 	await click_button("Inside")
 	await pick_mistake("Mistake 17")
-	assert_eq(formula_lines()[-1], "t = −0.25     wrong: any t, even −0.25")
+	assert_eq(formula_lines()[-1], "wrong: (−5) / 20 = −0.25")
+
+
+func test_a_mistake_that_no_speed_of_the_course_shows_brings_a_frame_that_does() -> void:
+	await click_button("10 px")
+	await pick_mistake("Mistake 16")
+	assert_eq(formula_lines()[-1], "wrong: (|50| − 10) / (|50| − |(−30)|) = 2")
+
+
+func test_the_ghost_shows_a_moment_of_the_frame() -> void:
+	await drag(Vec2.new(6, -38), Vec2.new(30, 22))
+	var moment: float = frame().lesson.state()["moment"]
+	assert_almost_eq(moment, 0.8, 1e-12)
+	assert_eq((frame().lesson.get_node("%GhostName") as BallName).label, "t = 0.8")
+	await drag(Vec2.new(6, 22), Vec2.new(6, 90))
+	moment = frame().lesson.state()["moment"]
+	assert_eq(moment, 1.0)
+
+
+func test_the_impact_is_asked_for_before_it_is_shown() -> void:
+	await go_to_step(PointOfImpactTexts.Step.WAYS)
+	await student.press(&"lab_next_step")
+	await click_button("within the frame")
+	assert_reads("Right")
+	await student.press(&"lab_next_step")
+	assert_eq(seen(["%Guess", "%Impact"]), [true, false])
+	await drag(Vec2.new(6, -48), Vec2.new(6, -8))
+	await student.press(&"lab_next_step")
+	assert_reads("Exactly.")
+	assert_eq(seen(["%Guess", "%Impact"]), [true, true])
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:

@@ -1,5 +1,5 @@
 extends ScreenTest
-## The lesson that others are begun from: small, and complete.
+## The smallest lesson, with which others begin.
 
 
 func before_each() -> void:

@@ -300,11 +300,13 @@ func test_the_velocities_asked_for_are_what_the_world_does() -> void:
 func test_every_question_tells_its_mistakes_apart() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 14
+	var unclear: PackedStringArray = []
 	for kind: int in SteppingExercise.Kind.size():
 		for question: int in 500:
 			var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
 			if not exercise.tells_mistakes_apart():
-				fail_test(exercise.prompt)
+				unclear.append(exercise.prompt)
+	assert_eq(unclear, PackedStringArray())
 
 
 func test_wrong_answers_are_named() -> void:

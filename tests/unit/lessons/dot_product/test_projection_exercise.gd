@@ -15,7 +15,7 @@ const _SCALAR: Dictionary[float, String] = {
 }
 
 
-func test_the_lectures_numbers_stand_in_the_question() -> void:
+func test_the_question_has_the_numbers_of_the_lecture() -> void:
 	var exercise := _lecture(ProjectionExercise.Kind.DOT)
 	assert_eq(exercise.prompt, "a = (7, 1), b = (8, −6). What is the dot product a · b?")
 	assert_eq(exercise.answer_titles, PackedStringArray(["a · b ="]))

@@ -39,7 +39,7 @@ func test_what_was_measured_is_kept_while_another_problem_is_looked_at() -> void
 	assert_eq(model.run().done_count(), 1)
 
 
-func test_beginning_goes_on_after_a_stop_and_anew_after_the_end() -> void:
+func test_begin_goes_on_after_a_stop_and_starts_again_after_the_end() -> void:
 	var model := _model()
 	model.run().do_next()
 	model.begin()
@@ -120,7 +120,7 @@ func test_every_name_of_every_problem_is_known_to_the_translation() -> void:
 		if not text in unknown and RegEx.create_from_string("\\p{L}{3}").search(text):
 			if not known.has(MeasuredTexts.pattern(text)):
 				unknown.append(text)
-	assert_eq(unknown, [] as Array[String], "belongs into measured_texts.gd")
+	assert_eq(unknown, [] as Array[String], "these texts are missing in measured_texts.gd")
 
 
 func test_numbers_in_a_name_stay_as_they_are() -> void:
@@ -150,7 +150,7 @@ func _measured(method: String, run_time_us: float, error: float) -> Measurement:
 	return measurement
 
 
-# What the lesson shows of the problems as they are.
+# The lesson with the real problems of the report.
 func _all_names() -> PackedStringArray:
 	var host := Node.new()
 	add_child_autofree(host)

@@ -1,6 +1,6 @@
 extends LabTest
-## The bug gallery of the lesson on line ends: every mistake is wrong as the course says, and is
-## caught by the test that the gallery names.
+## The bug gallery of the lesson on line ends: every mistake is wrong in the way that the course
+## describes, and the test that the gallery names catches it.
 
 
 func test_every_mistake_shows_in_the_shot_that_tells_it() -> void:

@@ -118,7 +118,7 @@ func test_pointing_the_normal_turns_the_line_and_keeps_its_length() -> void:
 	assert_vec2(model.unit_normal(), Vec2.new(0.6, -0.8), EPSILON)
 	assert_almost_eq(model.along.length(), 7.0, 1e-14)
 	model.point_normal(Vec2.zero())
-	assert_vec2(model.unit_normal(), Vec2.new(0.6, -0.8), EPSILON, "zero points nowhere")
+	assert_vec2(model.unit_normal(), Vec2.new(0.6, -0.8), EPSILON, "a zero vector has no direction")
 
 
 func test_dragging_what_leaves_sets_the_bounciness_within_0_and_1() -> void:

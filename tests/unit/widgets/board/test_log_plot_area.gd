@@ -1,6 +1,6 @@
 extends LabTest
 ## Tests of where points lie in a plot with logarithmic axes: faster to the left, closer below, zero
-## at the foot and no answer at the top, never lost.
+## at the bottom and no answer at the top. No point is lost.
 
 const FIELD := Rect2(80.0, 40.0, 600.0, 400.0)
 

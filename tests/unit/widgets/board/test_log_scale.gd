@@ -1,5 +1,6 @@
 extends LabTest
-## Tests of the logarithmic axis: its ends, where values lie on it, and what has no place on it.
+## Tests of the logarithmic axis: its ends, where values lie on it, and values that have no place on
+## it.
 
 
 func test_the_axis_runs_from_the_power_of_ten_below_to_the_one_above() -> void:

@@ -66,6 +66,12 @@ func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
 	_assert_texts(statement, ["0 (rounding: 1.8e−15)"])
 
 
+func test_what_is_before_a_colon_are_words() -> void:
+	var statement := FormulaStatement.new("{wrong}: ({new} − {r}) / {b} = {t}")
+	_put({new = -149.63, r = 0.001, b = 377.6, t = -149.631 / 377.6})
+	_assert_texts(statement, ["", "(−149.63)", "0.001", "377.6", "−0.3963"])
+
+
 func test_a_side_with_words_is_not_computed() -> void:
 	var statement := FormulaStatement.new("{easy} floor − y = {at} − {y} = {distance} {hit}")
 	_put({at = 200.0, y = 190.5, distance = 9.5})
