@@ -32,6 +32,7 @@ var findings: Array[Finding] = []
 var read_count := 0
 
 var _frame: LessonFrame
+var _judge: LessonJudge
 var _reader: FormulaReader
 var _known: Dictionary[String, Finding] = {}
 var _remark_finder := RegEx.create_from_string(_REMARK)
@@ -39,9 +40,10 @@ var _number_finder := RegEx.create_from_string("%s\\.\\.%s|\\(%s\\)|%s".replace(
 
 
 ## Of the lesson that [param frame] has opened.
-func _init(frame: LessonFrame, words: FormulaWords) -> void:
+func _init(frame: LessonFrame) -> void:
 	_frame = frame
-	_reader = FormulaReader.new(words)
+	_reader = FormulaReader.new(LessonWords.of(frame.lesson_info.id))
+	_judge = LessonJudge.of(frame.lesson_info.id)
 
 
 ## Looks at so many states with this seed, each at every step.
@@ -75,6 +77,9 @@ func _look() -> void:
 		read_count += 1
 		for sentence in _reader.problems(_lines_of(formula)):
 			_tell(sentence)
+	var problem := _judge.problem(SeenLesson.of(_frame))
+	if problem:
+		_tell(problem)
 
 
 func _tell(sentence: String) -> void:

@@ -3,7 +3,7 @@ extends RefCounted
 ## The words in the formula of each lesson, for [FormulaReader].
 
 const _WORDS: Dictionary[StringName, Dictionary] = {
-	&"class_or_value": {words = ["Vector2(…)"]},
+	&"class_or_value": {words = []},
 	&"easy_bounce":
 	{
 		words =

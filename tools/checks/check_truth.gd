@@ -9,6 +9,7 @@ var _ids: Array[StringName] = []
 
 
 func _init() -> void:
+	OpeningMotion.is_allowed = false
 	for argument in OS.get_cmdline_user_args():
 		if argument.begins_with("--states="):
 			_states = argument.trim_prefix("--states=").to_int()
@@ -30,7 +31,7 @@ func _look_at(id: StringName) -> int:
 	current_scene = frame
 	await process_frame
 	var begun := Time.get_ticks_msec()
-	var truth := LessonTruth.new(frame, LessonWords.of(id))
+	var truth := LessonTruth.new(frame)
 	await truth.look_at(_states, _seed)
 	var seconds := (Time.get_ticks_msec() - begun) / 1000.0
 	print(

@@ -21,8 +21,6 @@ const _CLASS_ENTRY := (
 const _COMPRESSED := "res://.godot/exported/compressed."
 const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
-# Says in words what each action does: it names them all and uses none.
-const _WORDS_FOR_ACTIONS := "res://scenes/shell/input_help.gd"
 # Which plugins the editor has to start.
 const _PLUGINS := "editor_plugins/enabled"
 # Settings that only the editor reads: a pack has them at their defaults, which take no room.
@@ -193,7 +191,7 @@ static func actions_in_settings(left_out: PackedStringArray) -> Dictionary[Strin
 static func unused_settings(files: PackedStringArray) -> PackedStringArray:
 	var named: PackedStringArray = []
 	for file: String in files:
-		if file.get_extension() == "gd" and file != _WORDS_FOR_ACTIONS:
+		if file.get_extension() == "gd":
 			named.append_array(WrittenCode.strings_in(FileAccess.get_file_as_string(file)))
 	var unused: PackedStringArray = [_PLUGINS]
 	for property: Dictionary in ProjectSettings.get_property_list():

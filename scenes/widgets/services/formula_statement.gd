@@ -24,7 +24,7 @@ const _LONGEST_TYPED := 10
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
 # A pair; before and after its comma there is at most one level of parentheses.
-const _PAIR := "\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
+const _PAIR := "(?<![a-z2])\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
 # How to spell a side for [Expression], one after the other. Its names are n0, n1, ...
 const _SPELLINGS: Dictionary[String, String] = {
 	"−": "-",
@@ -32,6 +32,7 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"²": "**2.0",
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
+	"atan2\\(": "180 / PI * atan2(",
 	"\\|([^|]*)\\|": "abs($1)",
 	"cos (n\\d+)°": "cos(deg_to_rad($1))",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
@@ -142,7 +143,7 @@ func _lone_number(side: String) -> int:
 
 func _names_in(side: String) -> PackedInt32Array:
 	var places: PackedInt32Array = []
-	for found in RegEx.create_from_string("n(\\d+)").search_all(side):
+	for found in RegEx.create_from_string("\\bn(\\d+)").search_all(side):
 		places.append(found.get_string(1).to_int())
 	return places
 
@@ -153,7 +154,7 @@ func _add_computed(whole_side: String) -> void:
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("cos n\\d+°|n\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string("cos n\\d+°|atan2|\\bn\\d+").sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:

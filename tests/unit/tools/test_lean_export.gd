@@ -73,10 +73,8 @@ func test_a_scene_takes_in_its_icons_but_not_its_script() -> void:
 	assert_true((steps.get_node("Back") as Button).icon is DPITexture)
 
 
-func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused() -> void:
-	var unused := LeanExport.unused_settings(
-		["res://scenes/shell/input_help.gd", "res://scenes/widgets/services/steps.gd"]
-	)
+func test_an_action_that_no_script_names_is_unused() -> void:
+	var unused := LeanExport.unused_settings(["res://scenes/widgets/services/steps.gd"])
 	assert_does_not_have(unused, "input/lab_next_step")
 	assert_has(unused, "input/lab_pause")
 	assert_does_not_have(unused, "input/ui_accept")

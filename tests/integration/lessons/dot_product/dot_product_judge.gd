@@ -1,0 +1,161 @@
+extends LessonJudge
+## Judges what the lesson on the dot product says.
+
+# What a sum of doubles may be off by, as a share of its terms.
+const _ROUNDING := 1e-14
+
+var _u_letter: String
+var _w_letter: String
+var _u_length: float
+var _w_length: float
+var _dot: float
+# What the dot product may be off by.
+var _off: float
+var _normalizes: bool
+
+
+func problem(seen: SeenLesson) -> String:
+	_take(seen.state)
+	for found: String in [
+		_problem_of_card(seen),
+		_problem_of_sentence(seen.sentence),
+		_problem_of_rows(seen.rows),
+		_problem_of_labels(seen.labels),
+	]:
+		if found:
+			return found
+	return ""
+
+
+# u is the vector whose shadow falls on w.
+func _take(state: Dictionary) -> void:
+	var is_swapped: bool = state["is_swapped"]
+	_u_letter = "b" if is_swapped else "a"
+	_w_letter = "a" if is_swapped else "b"
+	_normalizes = state["normalizes"]
+	var u := _vector(state, _u_letter)
+	var w := _vector(state, _w_letter)
+	_u_length = sqrt(u[0] * u[0] + u[1] * u[1])
+	_w_length = sqrt(w[0] * w[0] + w[1] * w[1])
+	_dot = u[0] * w[0] + u[1] * w[1]
+	_off = _ROUNDING * (absf(u[0] * w[0]) + absf(u[1] * w[1]))
+
+
+static func _vector(state: Dictionary, letter: String) -> PackedFloat64Array:
+	var head: PackedFloat64Array = state[letter]
+	var tail: PackedFloat64Array = state[letter + "_from"]
+	return [head[0] - tail[0], head[1] - tail[1]]
+
+
+# What the card must say of the scalar projection; with the usual mistake it is the dot product.
+func _scalar() -> float:
+	return _dot / _w_length if _normalizes else _dot
+
+
+func _scalar_off() -> float:
+	return _off / _w_length if _normalizes else _off
+
+
+func _mistake_shows() -> bool:
+	return not _normalizes and absf(_dot) > _off and absf(_w_length - 1.0) > _ROUNDING
+
+
+# Where rounding alone decides, both may be said.
+func _can_be_wrong() -> bool:
+	return not _normalizes and _dot != 0.0 and _w_length != 1.0
+
+
+func _problem_of_card(seen: SeenLesson) -> String:
+	if seen.verdict.is_empty():
+		return ""
+	var has_both := _u_length > 0.0 and _w_length > 0.0
+	var w_is_zero := "%s is zero: it has no direction" % _w_letter
+	var u_is_zero := "zero: %s is zero, and so is its shadow" % _u_letter
+	var claims: Dictionary[String, bool] = {
+		"No projection": _w_length == 0.0,
+		"Scalar projection": _w_length > 0.0,
+		w_is_zero: _w_length == 0.0,
+		u_is_zero: _w_length > 0.0 and _u_length == 0.0,
+		"negative: the angle is above 90°": has_both and _dot < _off and not _mistake_shows(),
+		"zero: the angle is 90°": has_both and absf(_dot) <= _off,
+		"positive: the angle is below 90°": has_both and _dot > -_off and not _mistake_shows(),
+		"wrong: |%s| =" % _w_letter: _can_be_wrong(),
+	}
+	var found := false_claim(seen.verdict, claims)
+	if found:
+		return found
+	for line in seen.verdict:
+		var scalar := SeenLesson.number_behind("Scalar projection", line)
+		if not is_nan(scalar) and not SeenLesson.is_close(scalar, _scalar(), _scalar_off()):
+			return "it is %s: “%s”" % [_scalar(), line]
+		var times := SeenLesson.number_behind("wrong: |%s| =" % _w_letter, line)
+		if not is_nan(times) and not SeenLesson.is_close(times, _w_length, 0.0):
+			return "|%s| is %s: “%s”" % [_w_letter, _w_length, line]
+	return _problem_of_sign(seen.verdict_sign)
+
+
+func _problem_of_sign(sign_text: String) -> String:
+	var is_so := false
+	match sign_text:
+		"+":
+			is_so = _dot > -_off and not _mistake_shows()
+		"0":
+			is_so = absf(_dot) <= _off
+		NumberText.MINUS:
+			is_so = _dot < _off and not _mistake_shows()
+		"✗":
+			is_so = _can_be_wrong()
+	return "" if is_so else "the ball of the card has a “%s”" % sign_text
+
+
+func _problem_of_sentence(sentence: String) -> String:
+	var has_w := _w_length > 0.0
+	var ends_at_head := absf(_dot - _w_length * _w_length) <= 1e-8 * _w_length * _w_length
+	var hats: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
+	var letters := {u = _u_letter, w = _w_letter, e = hats[_w_letter]}
+	var claims: Dictionary[String, bool] = {
+		"A vector is a difference": true,
+		"{w} is zero: it has no direction, and no shadow": not has_w,
+		"{u} is zero: it has no direction, and there is no angle": has_w and _u_length == 0.0,
+		"Divide {w} by its length": has_w and _normalizes,
+		"The dot product with {e} is the scalar projection": has_w and _normalizes,
+		"{e} times the scalar projection is": has_w and _normalizes and not ends_at_head,
+		"Here it is {w} itself": has_w and _normalizes and ends_at_head,
+		"What is left of {u}, the rest {u} − p, is perpendicular to {w}": has_w and _normalizes,
+		"Here {w} is NOT divided by its length": has_w and not _normalizes,
+		"The dot product with {w} itself": has_w and not _normalizes,
+		"That times {w} is |{w}|² times the shadow": has_w and not _normalizes,
+		"The rest {u} − p is not perpendicular to {w}": has_w and _can_be_wrong(),
+		"the mistake changes nothing": has_w and not _normalizes and not _mistake_shows(),
+		"The dot product holds the angle": has_w and _u_length > 0.0,
+		"The primitive way": has_w and _u_length > 0.0,
+	}
+	var with_letters: Dictionary[String, bool] = {}
+	for words in claims:
+		with_letters[words.format(letters)] = claims[words]
+	# Of two that are there, the chance is the one that says more.
+	if sentence.contains("Here it is %s itself" % _w_letter):
+		with_letters.erase("{e} times the scalar projection is".format(letters))
+	return false_claim([sentence], with_letters)
+
+
+# Value and error, in this order; the error is what the value is off by.
+func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
+	for row in rows:
+		var value := SeenLesson.first_number(row[1])
+		var error := SeenLesson.first_number(row[2])
+		var right := _dot / _w_length if _w_length > 0.0 else 0.0
+		var off := _ROUNDING * _u_length + 1.1 * error
+		if is_nan(value) or not SeenLesson.is_close(value, right, off):
+			return "it is %s: “%s”" % [right, "  ".join(row)]
+		if row[0].ends_with("by the dot product"):
+			if not SeenLesson.is_close(value, _scalar() if _w_length > 0.0 else 0.0, off):
+				return "it is %s: “%s”" % [_scalar(), "  ".join(row)]
+	return ""
+
+
+func _problem_of_labels(labels: PackedStringArray) -> String:
+	for label in labels:
+		if label.ends_with(" − p") and label != "%s − p" % _u_letter:
+			return "the shadow is that of %s, not “%s”" % [_u_letter, label]
+	return ""

@@ -1,0 +1,39 @@
+class_name LessonJudge
+extends RefCounted
+## Judges what a lesson says in words: one for each lesson, beside its tests. This one, for a lesson
+## without a judge of its own, finds nothing.
+##
+## A judge knows the state and what is seen, and works out the rest by plain formulas of its own. It
+## asks neither the lesson's model nor the core of the lab.
+
+const _PLACE := "res://tests/integration/lessons/%s/%s_judge.gd"
+
+
+## The judge of the lesson with this id.
+static func of(id: StringName) -> LessonJudge:
+	var path := _PLACE % [id, id]
+	if not ResourceLoader.exists(path):
+		return LessonJudge.new()
+	var script := load(path) as GDScript
+	return script.new() if script.get_base_script() == LessonJudge else LessonJudge.new()
+
+
+## "" or what of [param _seen] is false, in one sentence that quotes it.
+func problem(_seen: SeenLesson) -> String:
+	return ""
+
+
+## The first claim in [param texts] that does not hold: [param claims] says for words whether what
+## they claim is so. The longest words that a text holds count. A text without any of them is told,
+## too, so that a new sentence gets its claim.
+static func false_claim(texts: PackedStringArray, claims: Dictionary[String, bool]) -> String:
+	for text in texts:
+		var found := ""
+		for words in claims:
+			if text.contains(words) and words.length() > found.length():
+				found = words
+		if not found:
+			return "no claim is known for “%s”" % text
+		if not claims[found]:
+			return "it is not so: “%s”" % text
+	return ""
