@@ -28,7 +28,11 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"r − distance",
 		],
 	},
-	&"normals": {words = ["from"], meanings = {x = "v.x", y = "v.y"}},
+	&"normals":
+	{
+		words = ["from", "divides 0 by 0", "without the test for 0: the same"],
+		meanings = {x = "v.x", y = "v.y"}
+	},
 	&"projection_proof":
 	{words = ["on the way:", "signed length of p"], meanings = {"b̂": "b / |b|"}},
 	&"line_distance":
