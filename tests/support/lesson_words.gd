@@ -75,6 +75,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		words =
 		[
 			"along the line, no time of impact",
+			"it moves away, no impact",
 			"the ball does not move. Do not divide by a.",
 			"no root. This end is not touched.",
 			"the line is met first",
