@@ -3,47 +3,6 @@ extends RefCounted
 ## The help line at the foot of the screen, made from the InputMap: it cannot differ from what the
 ## keys do.
 
-## What an action does, in a word: source text, translated where it is shown.
-const PURPOSES: Dictionary[StringName, String] = {
-	&"lab_back": "back",
-	&"lab_reset": "reset",
-	&"lab_undo": "undo",
-	&"lab_redo": "redo",
-	&"lab_copy_link": "copy link",
-	&"lab_hide_answers": "hide answers",
-	&"lab_motion": "motion",
-	&"lab_next_step": "next step",
-	&"lab_previous_step": "step back",
-	&"lab_next_frame": "next frame",
-	&"lab_previous_frame": "frame back",
-	&"lab_pause": "play or pause",
-	&"lab_slow": "slow",
-	&"lab_next_impact": "next impact",
-	&"lab_previous_impact": "previous impact",
-	&"lab_gravity_left": "gravity",
-	&"lab_gravity_up": "gravity",
-	&"lab_gravity_right": "gravity",
-	&"lab_gravity_down": "gravity",
-	&"lab_gravity_none": "no gravity",
-	&"lab_next_bounciness": "bounciness",
-	&"lab_toggle_trails": "trails",
-	&"lab_clear_trails": "clear trails",
-	&"lab_fetch_balls": "fetch lost balls",
-	&"lab_delete_line": "delete the line",
-	&"lab_preset_0": "scene",
-	&"lab_preset_1": "scene",
-	&"lab_preset_2": "scene",
-	&"lab_preset_3": "scene",
-	&"lab_preset_4": "scene",
-	&"lab_preset_5": "scene",
-	&"lab_preset_6": "scene",
-	&"lab_preset_7": "scene",
-	&"lab_preset_8": "scene",
-	&"lab_preset_9": "scene",
-	&"ui_focus_next": "next part",
-	&"ui_accept": "press",
-}
-
 # A space at which a line does not break.
 const _NO_BREAK := "\u00a0"
 
@@ -53,14 +12,15 @@ const _SIGNS: Dictionary[Key, String] = {
 }
 
 
-## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad. Actions that
-## follow each other with the same purpose share one entry: `0…9 scene`.
-static func line(actions: Array[StringName], for_joypad: bool) -> String:
+## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad. [param purposes]
+## says of each action what it does, in a word, which is translated here. Actions that follow each
+## other with the same purpose share one entry: `0…9 scene`.
+static func line(purposes: Dictionary[StringName, String], for_joypad: bool) -> String:
 	var keys: Dictionary[String, PackedStringArray] = {}
-	for action in actions:
+	for action in purposes:
 		var key := _first_key(action, for_joypad)
 		if key:
-			var purpose := PURPOSES[action]
+			var purpose := purposes[action]
 			keys[purpose] = keys.get(purpose, PackedStringArray()) + PackedStringArray([key])
 	var parts: PackedStringArray = []
 	for purpose in keys:

@@ -13,16 +13,19 @@ const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 ## What is in this group can be hidden for a class, and keeps its place.
 const ANSWERS := &"answers"
 
-const _ACTIONS: Array[StringName] = [
-	&"lab_reset",
-	&"lab_undo",
-	&"lab_redo",
-	&"lab_copy_link",
-	&"lab_hide_answers",
-	&"lab_motion",
-	&"ui_focus_next"
-]
-const _NO_ACTIONS: Array[StringName] = []
+# The frame's own actions, with what each does in a word: source text.
+const _ACTIONS: Dictionary[StringName, String] = {
+	&"lab_reset": "reset",
+	&"lab_undo": "undo",
+	&"lab_redo": "redo",
+	&"lab_copy_link": "copy link",
+	&"lab_hide_answers": "hide answers",
+	&"lab_motion": "motion",
+	&"ui_focus_next": "next part",
+}
+# Only where there is a way back: source text.
+const _WAY_BACK: Dictionary[StringName, String] = {&"lab_back": "back"}
+const _NO_ACTIONS: Dictionary[StringName, String] = {}
 
 ## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
 ## only one.
@@ -36,7 +39,7 @@ var link: BoardLink
 
 # Null where the lesson could not be opened, as is the link.
 var _history: LessonHistory
-var _help_actions: Array[StringName] = _ACTIONS.duplicate()
+var _purposes: Dictionary[StringName, String] = _ACTIONS.duplicate()
 
 @onready var _body: BoxContainer = %Body
 @onready var _board_place: Control = %BoardPlace
@@ -237,11 +240,13 @@ func _add_service(need: String) -> Control:
 	return service
 
 
-# A service or lesson with keys of its own lists their actions in a constant ACTIONS.
+# A service or lesson with keys of its own lists their actions and purposes in a constant ACTIONS.
 func _announce(answering: Control) -> void:
 	var script: Script = answering.get_script()
-	var actions: Array[StringName] = script.get_script_constant_map().get("ACTIONS", _NO_ACTIONS)
-	_help_actions.append_array(actions)
+	var actions: Dictionary[StringName, String] = script.get_script_constant_map().get(
+		"ACTIONS", _NO_ACTIONS
+	)
+	_purposes.merge(actions)
 
 
 # What has been unfolded, or has grown by a verdict, is scrolled into view.
@@ -299,7 +304,7 @@ func _offer_way_back() -> void:
 	back.visible = left.has_connections()
 	back.pressed.connect(left.emit)
 	if back.visible:
-		_help_actions.push_front(&"lab_back")
+		_purposes = _WAY_BACK.merged(_purposes)
 
 
 # A refusal lies on the board. Good news looks otherwise and lies beside it: there it hides no
@@ -333,7 +338,7 @@ func _allow_motion(on: bool) -> void:
 
 
 func _show_help(for_joypad: bool) -> void:
-	_help.text = InputHelp.line(_help_actions, for_joypad)
+	_help.text = InputHelp.line(_purposes, for_joypad)
 
 
 func _refresh_buttons() -> void:

@@ -38,12 +38,12 @@ USES = {
     "point_of_impact": Use((439, 540), r"t = 0\.5, within", r"t = 0\.4\d*, within", (439, 615)),
     # Where the ball comes from: v changes from (3, 4) to (4, 4).
     "reflection": Use((309, 218), r"reflect\(n, C\): \(3, −4\)", r"reflect\(n, C\): \(4, −4\)", (274, 218)),
-    # Play.
-    "angled_lines": Use((1001, 82), r"^Frame 0 =", r"^Frame [1-9]\d* ="),
+    # The next step: before it the lesson asks.
+    "angled_lines": Use((1244, 115), r"Drag on the board to draw a line", r"at its next touch\?"),
     # The situation "Miss".
     "line_ends": Use((1136, 365), r"t, end A: 0\.5,", r"t, end A: none,"),
     # The first component of a, from 4 to 2.
     "more_dimensions": Use((459, 136), r"a · b: 18,", r"a · b: 14,", (459, 176)),
     # Stop: it measures by itself.
-    "error_and_time": Use((897, 82), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
+    "error_and_time": Use((897, 199), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
 }

@@ -42,7 +42,7 @@ func test_a_question_is_told_once_it_is_unfolded() -> void:
 
 func test_status_list_and_table_of_the_lesson_with_most_to_say() -> void:
 	await open_lesson(LessonIndex.find(&"angled_lines"))
-	assert_string_starts_with(_line_with("Frame 0"), "Frame 0 = 0.00 s")
+	assert_string_starts_with(_line_with("Frame 0"), "Frame 0, 0.00 s")
 	assert_eq(_line_with("How a frame"), "How a frame is stepped: Rest used")
 	assert_eq(_line_with("Known mistakes"), "Known mistakes: No mistake")
 	assert_eq(_line_with("g = "), "g = (0, 300)  C = 1")

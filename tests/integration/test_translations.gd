@@ -145,7 +145,9 @@ func _untranslated_words(text: String) -> PackedStringArray:
 
 func _words_on_keys() -> PackedStringArray:
 	var found: PackedStringArray = ["Esc"]
-	for action: StringName in InputHelp.PURPOSES:
+	for action: StringName in InputMap.get_actions():
+		if not action.begins_with("lab_") and action != &"ui_focus_next":
+			continue
 		for event: InputEvent in InputMap.action_get_events(action):
 			found.append_array(event.as_text().replace("+", " ").split(" "))
 	return found

@@ -3,7 +3,7 @@ extends RefCounted
 ## The words in the formula of each lesson, for [FormulaReader].
 
 const _WORDS: Dictionary[StringName, Dictionary] = {
-	&"class_or_value": {words = ["Vector2(…)"]},
+	&"class_or_value": {words = []},
 	&"easy_bounce":
 	{
 		words =
@@ -14,15 +14,25 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"frame",
 			"hit",
 			"no hit",
-			"no hit: it stays where it is",
+			"it just touches",
+			"rounding decides",
+			"no hit: P stays",
+			"no hit: v stays",
+			"v · n̂ is not below 0: v stays",
+			"vx is not above 0: v stays",
+			"vy is not above 0: v stays",
 			"floor − y",
 			"wall − x",
 			"y = floor − r",
 			"x = wall − r",
+			"r − distance",
 		],
-		not_shown = ["L", "n̂"],
 	},
-	&"normals": {words = ["from"], meanings = {x = "v.x", y = "v.y"}},
+	&"normals":
+	{
+		words = ["from", "divides 0 by 0", "without the test for 0: the same"],
+		meanings = {x = "v.x", y = "v.y"}
+	},
 	&"projection_proof":
 	{words = ["on the way:", "signed length of p"], meanings = {"b̂": "b / |b|"}},
 	&"line_distance":
@@ -59,7 +69,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		],
 		not_shown = ["n̂"],
 	},
-	&"reflection": {words = ["is not 1: refused.", "stays"]},
+	&"reflection": {words = ["is not 1: refused.", "stays", "mistake:"]},
 	&"line_ends":
 	{
 		words =

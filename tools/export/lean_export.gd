@@ -21,8 +21,6 @@ const _CLASS_ENTRY := (
 const _COMPRESSED := "res://.godot/exported/compressed."
 const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
-# Says in words what each action does: it names them all and uses none.
-const _WORDS_FOR_ACTIONS := "res://scenes/shell/input_help.gd"
 # Which plugins the editor has to start.
 const _PLUGINS := "editor_plugins/enabled"
 # Settings that only the editor reads: a pack has them at their defaults, which take no room.
@@ -59,7 +57,7 @@ func _export_begin(
 	_write(_IDS, ids_of(_named_in_scenes(files), _files_before[_IDS]))
 	var left_out := unused_settings(files)
 	var actions := actions_in_settings(left_out)
-	add_file(InputActions.FILE, InputActions.packed(actions), false)
+	add_file(InputActions.FILE, packed(actions), false)
 	for action: StringName in actions:
 		left_out.append(_ACTION + action)
 	for setting: String in left_out:
@@ -90,21 +88,24 @@ func _export_file(path: String, _type: String, _features: PackedStringArray) -> 
 	var ending := "scn" if path.get_extension() == "tscn" else "res"
 	var resource := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
 	if resource is PackedScene:
-		take_in_icons(resource as PackedScene)
+		make_lean(resource as PackedScene)
 	ResourceSaver.save(resource, _COMPRESSED + ending, ResourceSaver.FLAG_COMPRESS)
 	var bytes := FileAccess.get_file_as_bytes(_COMPRESSED + ending)
 	add_file(path.get_basename() + "." + ending, bytes, true)
 	DirAccess.remove_absolute(_COMPRESSED + ending)
 
 
-## Makes the icons that [param scene] shows a part of it.
-static func take_in_icons(scene: PackedScene) -> void:
+## Makes the icons that [param scene] shows a part of it, and leaves out the ids of its nodes: by
+## them the editor finds a node that has been moved or renamed in another scene.
+static func make_lean(scene: PackedScene) -> void:
 	var content: Dictionary = scene.get("_bundled")
 	var values: Array = content["variants"]
 	for place: int in values.size():
 		if values[place] is DPITexture:
 			var icon: DPITexture = values[place]
 			values[place] = icon.duplicate()
+	content["node_ids"] = PackedInt32Array()
+	content["id_paths"] = []
 	scene.set("_bundled", content)
 
 
@@ -185,12 +186,20 @@ static func actions_in_settings(left_out: PackedStringArray) -> Dictionary[Strin
 	return found
 
 
+## The content of [constant InputActions.FILE] for these actions, each with its events.
+static func packed(actions: Dictionary[StringName, Array]) -> PackedByteArray:
+	var plain := var_to_bytes_with_objects(actions)
+	var size: PackedByteArray = [0, 0, 0, 0]
+	size.encode_u32(0, plain.size())
+	return size + plain.compress(FileAccess.COMPRESSION_ZSTD)
+
+
 ## The settings that a pack with these files does not need: the project's own input actions that
 ## none of the scripts in [param files] names, and the list of the editor's plugins.
 static func unused_settings(files: PackedStringArray) -> PackedStringArray:
 	var named: PackedStringArray = []
 	for file: String in files:
-		if file.get_extension() == "gd" and file != _WORDS_FOR_ACTIONS:
+		if file.get_extension() == "gd":
 			named.append_array(WrittenCode.strings_in(FileAccess.get_file_as_string(file)))
 	var unused: PackedStringArray = [_PLUGINS]
 	for property: Dictionary in ProjectSettings.get_property_list():

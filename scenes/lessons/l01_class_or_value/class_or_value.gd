@@ -4,10 +4,13 @@ extends Lesson
 ## The arrows Position and Value of the scene begin at the origins of the two fields. The head of
 ## Position is where the lesson starts; the head of OldValue is the place that was kept before.
 
-## The step that shows the sums; the lesson opens one step before it.
-const _SUM_STEP := 3
+## The opening moves both this far sideways, in units, and so often in 20 seconds.
+const _SWAY := 1.5
+const _SWAYS := 4.0
 ## How many times 0.1 is added for each row of the readout.
 const _COUNTS: Array[int] = [1000, 1_000_000]
+## So many digits show that the sums differ.
+const _DIGITS_OF_SUM := 8
 
 var _model := ClassOrValueModel.new()
 var _formula: ClassOrValueFormula
@@ -31,7 +34,7 @@ func start() -> void:
 	_let_drag(_position, _left)
 	_let_drag(_value, _right)
 	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
-	on_enter(_model.enter)
+	on_enter(_enter)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Remember now"))
@@ -40,11 +43,19 @@ func start() -> void:
 	var kinds := SharingExercise.Kind.size()
 	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
 	begin(_model, _show, _reach)
+	open_with(_sway.bind(_model.first_place(), _model.position.copy()))
 
 
 func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
 	on_drag(vector.moved, vector.released, _move.bind(origin))
 	vector.released.connect(func() -> void: _before = null)
+
+
+# What moves by itself: Vec2 and Vector2, in step.
+func _sway(seconds: float, first: Vec2, second: Vec2) -> void:
+	var x := snappedf(_SWAY * sin(TAU * _SWAYS * seconds / OpeningMotion.LONGEST), 0.1)
+	var by := Vec2.new(x, 0.0)
+	_model.remember_and_move(first.plus(by), second.plus(by))
 
 
 # What the student does.
@@ -53,11 +64,34 @@ func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
 # A vector that is dragged by its tail or as a whole moves its head: the tail stays at the origin.
 func _move(tail: Vec2, head: Vec2, origin: Vec2) -> void:
 	if not _before:
-		_before = _model.position.copy()
+		_before = _shown_place()
 	var moved := head.minus(origin)
 	if not tail.equals_approx(origin, 0.0):
 		moved = _before.plus(tail.minus(origin))
-	_model.move_to(moved.x, moved.y)
+	if _is_changed():
+		_model.move_to(moved.x, moved.y)
+	else:
+		_model.remember_and_move(moved, moved)
+
+
+func _enter(name_in_line: String, number: float) -> String:
+	if _is_changed():
+		return _model.enter(name_in_line, number)
+	var first := _model.first_place()
+	_model.move_to(first.x, first.y)
+	var problem := _model.enter(name_in_line, number)
+	if not problem:
+		_model.remember()
+	return problem
+
+
+# Before that step both names are still where they began.
+func _is_changed() -> bool:
+	return step >= ClassOrValueTexts.Step.CHANGE
+
+
+func _shown_place() -> Vec2:
+	return _model.position.copy() if _is_changed() else _model.first_place()
 
 
 func _switch(_key: String, on: bool) -> void:
@@ -70,26 +104,41 @@ func _switch(_key: String, on: bool) -> void:
 
 # As much of the plane on both sides of each origin as position needs on one.
 func _reach() -> Array[Vec2]:
-	var reach := Vec2.new(absf(_model.position.x), absf(_model.position.y))
+	var first := _model.first_place()
+	var reach := Vec2.new(
+		maxf(absf(_model.position.x), absf(first.x)), maxf(absf(_model.position.y), absf(first.y))
+	)
 	return [_right.plus(reach), _right.minus(reach)]
 
 
 func _show() -> void:
-	_position.lay(_left, _left.plus(_model.position))
-	_value.lay(_right, _right.plus(Vec2.from_vector2(_model.value)))
-	_old.lay(_left, _left.plus(_model.old))
-	_old_value.lay(_right, _right.plus(Vec2.from_vector2(_model.old_value)))
-	_old.visible = step >= 1
-	_old_value.visible = step >= 1
+	ask_choice_before(
+		ClassOrValueTexts.Step.CHANGE,
+		ClassOrValueTexts.question(),
+		ClassOrValueTexts.choices(),
+		func() -> int: return 1 if _model.copies else 0
+	)
+	tell_steps(ClassOrValueTexts.sentences(_model.copies))
+	_show_arrows()
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
 	_formula.show_model(_model, step)
-	tell_steps(ClassOrValueTexts.sentences(_model.copies))
 	_show_sums()
+
+
+func _show_arrows() -> void:
+	var place := _shown_place()
+	var old := _model.old if _is_changed() else place
+	_position.lay(_left, _left.plus(place))
+	_value.lay(_right, _right.plus(Vec2.from_vector2(place.to_vector2())))
+	_old.lay(_left, _left.plus(old))
+	_old_value.lay(_right, _right.plus(Vec2.from_vector2(_model.old_value)))
+	_old.visible = step >= ClassOrValueTexts.Step.SECOND_NAME
+	_old_value.visible = _old.visible
 
 
 # Two million additions take a moment: they wait until the step that shows them.
 func _show_sums() -> void:
-	_readout.visible = step >= _SUM_STEP
+	_readout.visible = step >= ClassOrValueTexts.Step.SUMS
 	if _has_sums or not _readout.visible:
 		return
 	_has_sums = true
@@ -103,4 +152,10 @@ func _show_sum(key: String, title: String, count: int, sum: Callable) -> void:
 	var value: float = sum.call(count)
 	var nanoseconds := (Time.get_ticks_usec() - start_usec) * 1000.0 / count
 	var error := value - TenthSum.exact(count)
-	_readout.show_result(key, title % NumberText.short(count), value, error, nanoseconds)
+	var texts: PackedStringArray = [
+		title % NumberText.short(count),
+		NumberText.short(value, _DIGITS_OF_SUM),
+		NumberText.size(error),
+		_readout.time_text(nanoseconds)
+	]
+	_readout.show_texts(key, texts)

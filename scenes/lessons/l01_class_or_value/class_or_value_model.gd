@@ -37,6 +37,11 @@ func move_to(x: float, y: float) -> void:
 	value = Vector2(x, y)
 
 
+## Where both were when the second names were given.
+func first_place() -> Vec2:
+	return _remembered.copy()
+
+
 ## Takes the number that has this name in the formula: `x` or `y` of both. "" if it could be taken;
 ## else one translated sentence, and nothing changes.
 func enter(name_in_line: String, number: float) -> String:

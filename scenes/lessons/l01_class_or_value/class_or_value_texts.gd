@@ -2,23 +2,28 @@ class_name ClassOrValueTexts
 extends RefCounted
 ## The sentences of the lesson on objects and values, step by step.
 
+## The steps, counted from 0.
+enum Step { PLACES, SECOND_NAME, CHANGE, SUMS }
+
 
 ## One sentence a step, translated.
 static func sentences(copies: bool) -> PackedStringArray:
 	var second := LabText.translate(
-		"A second name: old = position. For a Vec2 it is the same object."
+		"old = position gives the Vec2 a second name. old_value = value copies the Vector2."
 	)
 	var third := LabText.translate(
-		"Drag position: the Vec2 moves under both names. The Vector2 leaves old behind."
+		"set_xy changes the one Vec2: old shows it, too. old_value stays. Drag position!"
 	)
 	if copies:
-		second = LabText.translate("A copy: old = position.copy(). Now there are two Vec2.")
+		second = LabText.translate(
+			"old = position.copy() makes a second Vec2 with the same numbers."
+		)
 		third = LabText.translate(
-			"Drag position: now the old Vec2 stays behind, as the Vector2 does."
+			"set_xy changes the Vec2 of position. old is a copy and stays, as old_value does."
 		)
 	return [
 		LabText.translate(
-			"A place as a Vec2, our object, and as a Vector2, Godot's value. Drag either."
+			"One place twice: as a Vec2, which is an object, and as a Vector2, which is a value."
 		),
 		second,
 		third,
@@ -26,10 +31,20 @@ static func sentences(copies: bool) -> PackedStringArray:
 	]
 
 
-## What is said of the Vec2 and of the Vector2 at [param step], counted from 0: how many names it
-## has, and whether they share one object.
+## What is asked before the change, translated.
+static func question() -> String:
+	return LabText.translate("Now position.set_xy(…) moves position. Does old move, too?")
+
+
+## The answers to [method question], translated.
+static func choices() -> PackedStringArray:
+	return [LabText.translate("it moves, too"), LabText.translate("it stays")]
+
+
+## What is said of the Vec2 and of the Vector2 at [param step]: how many names it has, and whether
+## they share one object.
 static func sharing(is_shared: bool, step: int) -> PackedStringArray:
-	if step == 0:
+	if step < Step.SECOND_NAME:
 		return [LabText.translate("one name, one object"), LabText.translate("one name, one value")]
 	var of_objects := LabText.translate("two names, two objects")
 	if is_shared:

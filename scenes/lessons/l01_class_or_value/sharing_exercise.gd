@@ -3,12 +3,13 @@ extends Exercise
 ## Asks what one name holds after the other was changed: objects are shared, values are not.
 
 ## What is given a second name.
-enum Kind { VEC2, VECTOR2, COPY }
+enum Kind { VEC2, VECTOR2, COPY, NEW_OBJECT }
 
 const _ASSIGNMENTS: Dictionary[Kind, String] = {
 	Kind.VEC2: "old = Vec2.new(%d, %d)\nnow = old\nnow.x = %d",
 	Kind.VECTOR2: "old = Vector2(%d, %d)\nnow = old\nnow.x = %d",
 	Kind.COPY: "old = Vec2.new(%d, %d)\nnow = old.copy()\nnow.x = %d",
+	Kind.NEW_OBJECT: "old = Vec2.new(%d, %d)\nnow = old\nnow = Vec2.new(%d, 0)",
 }
 
 
@@ -34,4 +35,6 @@ func _sentence(kind: Kind) -> String:
 			return tr("A Vec2 is an object: now = old gives it a second name, not a copy.")
 		Kind.VECTOR2:
 			return tr("A Vector2 is a value: now = old copies it, and old stays.")
+		Kind.NEW_OBJECT:
+			return tr("now = Vec2.new(…) gives the name now another object: old keeps its own.")
 	return tr("copy() makes a new Vec2: old stays as it was.")

@@ -10,9 +10,10 @@ const _FRAMES_PER_SECOND := 8.0
 const _CORNER_OF_BOUNCE := Vector2(200.0, 220.0)
 const _CORNER_OF_FRAME := Vector2(EasyBounceModel.HALF_LENGTH, 120.0)
 
-## At the opening the ball goes to and fro so often, back by this share of v.
+## At the opening the ball goes to and fro so often, back by this share of v: it always overlaps the
+## line, so that a press at any time leaves a hit.
 const _SWINGS := 5.0
-const _SWING := 0.6
+const _SWING := 0.4
 
 ## Tilts to pick, in degrees, by their titles (source text).
 const _PRESETS: Dictionary[String, float] = {

@@ -7,9 +7,12 @@ extends RefCounted
 const _POINT := "{l} = {l_pair}     {n} = {n_pair}"
 const _NORMAL := "{n} = {n_pair}"
 const _SHORTEST := "{right} ({p} − {l}) · {n} = {dx}·{nx} + {dy}·{ny} = {shortest}     {right_hit}"
+const _ON_THE_LINE := "{right} ({p} − {l}) · {n} = {shortest}     {right_hit}"
 const _BACK_ALONG_NORMAL := "{right} {p} + {depth} {n} = {p_pair} + {depth} {n_pair} = {p_right}"
 const _ALONG_NORMAL := "{right} {v} · {n} = {vx_}·{nx} + {vy_}·{ny} = {along_n}"
 const _REFLECTED := "{right} {v} − 2 ({v} · {n}) {n} = {v_pair} − 2·{along_n} {n_pair} = {v_right}"
+# A distance of less than this share of P − L.
+const _NEAR := 1e-9
 
 var _formula: Formula
 var _model: EasyBounceModel
@@ -34,11 +37,12 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 	]
 	match step:
 		EasyBounceTexts.Step.MOVE:
-			lines.append(tr("before") + " + {v} = {old} + {v_pair} = {p_pair}")
+			var before := tr("before")
+			lines.append_array([before + " = {old}", before + " + {v} = {p_pair}"])
 		EasyBounceTexts.Step.BOUNCE:
 			lines.append_array([_easy_distance(), _easy_place(), _easy_velocity()])
 		EasyBounceTexts.Step.DETECT:
-			_append(lines, _easy_distance(), [_POINT, _SHORTEST])
+			_append(lines, _easy_distance(), [_POINT, _right_distance()])
 		EasyBounceTexts.Step.PUT_BACK:
 			_append(lines, _easy_place(), _right_place())
 		EasyBounceTexts.Step.FLIP:
@@ -78,7 +82,7 @@ func _easy_velocity() -> String:
 func _right_place() -> PackedStringArray:
 	if not _model.right_detects(_moved):
 		return ["{right} " + tr("no hit: P stays")]
-	var depth := "{right} " + tr("r − distance") + " = {radius} − {shortest} = {depth}"
+	var depth := "{right} " + tr("r − distance") + " = {radius} − {distance} = {depth}"
 	return [_NORMAL, depth, _BACK_ALONG_NORMAL]
 
 
@@ -88,6 +92,13 @@ func _right_velocity() -> PackedStringArray:
 	if not _model.right_reflects(_moved):
 		return [_NORMAL, _ALONG_NORMAL, "{right} " + tr("v · n̂ is not below 0: v stays")]
 	return [_NORMAL, _ALONG_NORMAL, _REFLECTED]
+
+
+# So near to the line that the terms cancel, no number of digits shows it.
+func _right_distance() -> String:
+	var from_l := _model.from_line_start(_moved.position)
+	var is_near := absf(from_l.dot(_model.normal())) < _NEAR * from_l.length()
+	return _ON_THE_LINE if is_near else _SHORTEST
 
 
 # What the easy program looks at: the line by its name, and a single component.
@@ -134,7 +145,8 @@ func _put_right() -> void:
 	var right := _model.right_result(_moved)
 	var from_l := _model.from_line_start(_moved.position)
 	var normal := _model.normal()
-	var shortest := _model.shortest_distance(_moved.position)
+	# By the numbers of its line: far out their rounding is not that of the model.
+	var shortest := from_l.dot(normal)
 	_formula.put_symbol("right", tr("right:"), Palette.Role.A)
 	_formula.put_symbol("l", "L", Palette.Role.INK)
 	_formula.put_vector("l_pair", _model.line().start, Palette.Role.INK)
@@ -144,7 +156,8 @@ func _put_right() -> void:
 	_formula.put_number("ny", normal.y, Palette.Role.UNIT)
 	_formula.put_number("dx", from_l.x, Palette.Role.INK)
 	_formula.put_number("dy", from_l.y, Palette.Role.INK)
-	_formula.put_number("shortest", shortest, Palette.Role.A)
+	_formula.put_sum("shortest", shortest, from_l.length(), Palette.Role.A)
+	_formula.put_number("distance", shortest, Palette.Role.A)
 	_formula.put_text(
 		"right_hit", _hit_text(shortest, _model.right_detects(_moved)), Palette.Role.A
 	)

@@ -6,11 +6,14 @@ extends Lesson
 ## Seconds that the whole turn takes while time runs, and when a step asks for it.
 const _TURN_SECONDS := 2.0
 const _STEP_TURN_SECONDS := 1.0
+## The opening swings a so far to both sides, in degrees, and so often in 20 seconds.
+const _SWING := 25.0
+const _SWINGS := 2.0
 
 var _model := ProjectionProofModel.new()
 var _formula: ProjectionProofFormula
 # The share of the turn that the step asks for; _process turns the drawing until it is reached.
-var _wanted_share := 1.0
+var _wanted_share := 0.0
 
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _readout: Readout = services.get(&"readout")
@@ -39,7 +42,9 @@ func start() -> void:
 	_transport.advanced.connect(_run)
 	on_enter(_model.enter)
 	on_pick(_model.take)
+	_model.turned_share = 0.0
 	begin(_model, _show, _model.points_to_show)
+	open_with(_swing.bind(_model.a.copy()))
 
 
 func _let_drag(handle: Handle, change: Callable) -> void:
@@ -50,6 +55,13 @@ func _let_drag(handle: Handle, change: Callable) -> void:
 func show_state(stored: Dictionary) -> void:
 	_model.from_dictionary(stored)
 	show_all()
+
+
+# What moves by itself, to hundredths.
+func _swing(seconds: float, start: Vec2) -> void:
+	var swung := start.copy()
+	swung.rotate_degrees(_SWING * sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST))
+	_model.set_a(Vec2.new(snappedf(swung.x, 0.01), snappedf(swung.y, 0.01)))
 
 
 # The turn.
@@ -95,19 +107,33 @@ func _process(delta: float) -> void:
 
 
 func _show() -> void:
-	tell_steps(ProjectionProofTexts.sentences(_model))
+	ask_before(
+		ProjectionProofTexts.Step.TURN,
+		ProjectionProofTexts.question_on_turn(),
+		func() -> Vec2: return _model.fully_turned(_model.a) if _model.has_direction() else null,
+		func() -> Vec2: return _model.a.scaled(0.7)
+	)
+	ask_choice_before(
+		ProjectionProofTexts.Step.READ_OFF,
+		ProjectionProofTexts.question_on_shadow(),
+		ProjectionProofTexts.choices(),
+		func() -> int: return 0 if _model.has_direction() else -1
+	)
 	_formula.show_model(_model)
-	_show_verdict()
+	_readout.visible = step == ProjectionProofTexts.Step.COMPARE
 	_show_way("turned", tr("x of a′"), _model.x_of_turned_a)
 	_show_way("dot", "a · " + ProjectionProofTexts.UNIT, _model.dot_with_unit)
 	_show_turn()
+	_show_verdict()
 
 
 # What changes during the turn; the results do not.
 func _show_turn() -> void:
+	tell_steps(ProjectionProofTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_turn(_model, step)
 	var x_at := func(percent: float) -> float: return _model.x_at_share(percent / 100.0)
+	_plot.visible = step >= ProjectionProofTexts.Step.TURN and _model.has_direction()
 	_plot.show_function(x_at, _model.a.length(), _model.turned_share * 100.0)
 
 

@@ -21,9 +21,10 @@ func show_model(model: ProjectionProofModel) -> void:
 	_put_both_vectors(model)
 	_put_angle(model)
 	_formula.put_symbol("p", "p", Palette.Role.PROJECTION)
-	_formula.put_number("scalar", model.dot_with_unit(), Palette.Role.PROJECTION)
+	var scale := model.a.length()
+	_formula.put_sum("scalar", model.dot_with_unit(), scale, Palette.Role.PROJECTION)
 	var difference := model.x_of_turned_a() - model.dot_with_unit()
-	_formula.put_number("difference", difference, Palette.Role.INK)
+	_formula.put_sum("difference", difference, scale, Palette.Role.INK)
 
 
 ## Puts in the numbers that change during the turn, and shows the lines of [param step].
@@ -43,11 +44,14 @@ func _lines(model: ProjectionProofModel, step: int) -> PackedStringArray:
 	if not model.has_direction():
 		return found
 	if step < ProjectionProofTexts.Step.TRIANGLE:
-		found.append("β = atan2({b_y}, {b_x}) = {beta}")
+		found.append("β = atan2({b_y}, {b_x}) = {beta}°")
 	if step >= ProjectionProofTexts.Step.TURN and step <= ProjectionProofTexts.Step.EXPAND:
 		found.append(_turned_line(model))
 	if step >= ProjectionProofTexts.Step.READ_OFF:
 		found.append(tr("signed length of {p} = {a_turned}.x = {scalar}"))
+	if step == ProjectionProofTexts.Step.EXPAND:
+		found.append("{a_turned}.x = {a_x}·cos(−β) − {a_y}·sin(−β)")
+		found.append("cos(−β) = cos β     sin(−β) = −sin β")
 	if step >= ProjectionProofTexts.Step.EXPAND:
 		found.append("{a_turned}.x = {a_x}·cos β + {a_y}·sin β")
 	if step >= ProjectionProofTexts.Step.TRIANGLE:
@@ -55,7 +59,7 @@ func _lines(model: ProjectionProofModel, step: int) -> PackedStringArray:
 		found.append("sin β = {b}y / |{b}| = {b_y} / {b_length} = {sine_value}")
 	if step >= ProjectionProofTexts.Step.PUT_IN:
 		found.append("{a_turned}.x = {a_x}·{cosine} + {a_y}·{sine} = {scalar}")
-		found.append("= ({a_x}·{b_x} + {a_y}·{b_y}) / {b_length} = {a} · {e}")
+		found.append("{a} · {e} = ({a_x}·{b_x} + {a_y}·{b_y}) / {b_length} = {scalar}")
 	if step >= ProjectionProofTexts.Step.COMPARE:
 		found.append("{a_turned}.x − {a} · {e} = {difference}")
 	return found
@@ -83,8 +87,7 @@ func _put_both_vectors(model: ProjectionProofModel) -> void:
 
 
 func _put_angle(model: ProjectionProofModel) -> void:
-	var beta := NumberText.short(Vec2.rad_to_deg(model.beta())) + "°"
-	_formula.put_text("beta", beta, Palette.Role.INK)
+	_formula.put_number("beta", Vec2.rad_to_deg(model.beta()), Palette.Role.INK)
 	_formula.put_symbol("e", ProjectionProofTexts.UNIT, Palette.Role.UNIT)
 	_formula.put_number("cosine", model.cosine(), Palette.Role.UNIT)
 	_formula.put_number("sine", model.sine(), Palette.Role.UNIT)

@@ -20,14 +20,44 @@ static func sentences(model: ProjectionProofModel) -> PackedStringArray:
 		refusals.fill(refusal)
 		return refusals
 	return [
-		LabText.translate("Wanted: p, the shadow of a on b. How long is it, and with which sign?"),
+		_first_sentence(model),
 		LabText.translate("Turn both by −β until b lies on the x axis. No length changes."),
-		LabText.translate("Now the shadow lies on the x axis: its length is the x of a′."),
-		LabText.translate("ax and ay turn along. Their shadows on the axis add up to a′.x."),
+		LabText.translate("Now the shadow lies on the x axis: its signed length is the x of a′."),
+		LabText.translate("Turning by −β: cos(−β) = cos β and sin(−β) = −sin β give this a′.x."),
 		LabText.translate("The triangle of b holds cos β and sin β: its sides divided by |b|."),
 		LabText.translate("Put them in: what comes out is a · b̂. No angle is left in it."),
 		LabText.translate("Both sides, computed in two ways: do they agree to the last bit?"),
 	]
+
+
+## What is asked before the turn, translated.
+static func question_on_turn() -> String:
+	return LabText.translate(
+		"Both turn until b lies on the x axis. Where does the head of a go? Drag the “?” there."
+	)
+
+
+## What is asked before the shadow is read off, translated.
+static func question_on_shadow() -> String:
+	return LabText.translate("What is the signed length of the shadow p now?")
+
+
+## The answers to [method question_on_shadow]; the first is right.
+static func choices() -> PackedStringArray:
+	return [
+		LabText.translate("the x of a′"),
+		LabText.translate("the y of a′"),
+		LabText.translate("the length of a′")
+	]
+
+
+# While time runs at the first step, the turn is under way already.
+static func _first_sentence(model: ProjectionProofModel) -> String:
+	if model.turned_share > 0.0:
+		return LabText.translate("Both turn by −β until b lies on the x axis.")
+	return LabText.translate(
+		"Wanted: p, the shadow of a on b. How long is it, and with which sign?"
+	)
 
 
 ## Both sides with all their digits, and in words how far they are apart, translated.

@@ -30,8 +30,16 @@ func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
 			_ask_turned_b()
 
 
-## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis, for which
+## every known mistake leads to an answer of its own.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
+	var exercise := _drawn(kind, rng)
+	while not exercise.tells_mistakes_apart():
+		exercise = _drawn(kind, rng)
+	return exercise
+
+
+static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var shadowed := Vec2.new(
@@ -77,7 +85,6 @@ func _ask_cosine_and_sine() -> void:
 	_add([b.x, b.y], _not_divided(b.length()))
 	_add([unit.x, -unit.y], tr("The sine has the sign of by, also where y points down."))
 	_add([-unit.x, unit.y], tr("The cosine has the sign of bx."))
-	_add([absf(unit.x), absf(unit.y)], tr("Signs are missing: they are those of bx and by."))
 	_add([-unit.x, -unit.y], tr("Both signs are wrong: they are those of bx and by."))
 
 
@@ -90,7 +97,8 @@ func _ask_turned_b() -> void:
 	_add([1.0, 0.0], tr("That is the turned unit vector. Turning keeps the length of b."))
 	_add([0.0, size], tr("That is on the y axis: b turns to the x axis."))
 	_add([b.x, 0.0], tr("That is the shadow of b on the x axis. Turning keeps the length."))
-	_add([absf(b.x), 0.0], tr("That is a shadow on the x axis. Turning keeps the length."))
+	if b.x < 0.0:
+		_add([-b.x, 0.0], tr("That is a shadow on the x axis. Turning keeps the length."))
 	_add([b.x, -b.y], tr("That is b mirrored at the x axis, not turned."))
 	_add([-size, 0.0], tr("The other way round: b points along the x axis, not against it."))
 	_add([b.length_squared(), 0.0], tr("That is |b|²: the root is missing."))

@@ -138,7 +138,7 @@ func show_mistake(number: int) -> void:
 	mistake = number
 	for preset: String in ["Course", "Not yet"]:
 		if number != 0 and not shows_mistake():
-			take(PRESETS[preset])
+			Refusal.push(take(PRESETS[preset]))
 
 
 ## The points that the board has to show: the ends of the line, both balls as far as half their

@@ -38,13 +38,19 @@ func start() -> void:
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
-	# A refusal stays in the notice line as long as it holds.
-	about_to_show.connect(func() -> void: noticed.emit(_model.refusal()))
+	about_to_show.connect(_tell_refusal)
 	begin(_model, _show, _spanned_points)
+	open_with(_come)
 
 
 func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
+
+
+# What moves by itself: the ball comes up to the line, waits there, and comes again.
+func _come(seconds: float) -> void:
+	var wait := 1.0
+	_model.time = minf(ReflectionModel.START + fmod(seconds, wait - ReflectionModel.START), 0.0)
 
 
 # What the student does.
@@ -72,9 +78,8 @@ func _drag_leaving(head: Vec2) -> void:
 
 func _take(changes: Dictionary) -> String:
 	var problem := _model.take(changes)
-	# With C = 1 the bounciness does nothing, on whichever part it acts.
-	if changes.get("mistake") == ReflectionMistakes.BOUNCY_TANGENT and _model.bounciness == 1.0:
-		_model.bounciness = 0.5
+	if changes.has("mistake"):
+		_model.show_mistake(_model.mistake)
 	return problem
 
 
@@ -90,6 +95,12 @@ func _fly(seconds: float) -> void:
 # What the student sees.
 
 
+# A refusal stays in the notice line as long as it holds.
+func _tell_refusal() -> void:
+	if _model.refusal():
+		noticed.emit(_model.refusal())
+
+
 func _spanned_points() -> Array[Vec2]:
 	var points: Array[Vec2] = [_model.along]
 	for point: Vec2 in [_model.velocity, _model.velocity_after(2.0)]:
@@ -99,10 +110,26 @@ func _spanned_points() -> Array[Vec2]:
 
 
 func _show() -> void:
+	ask_choice_before(
+		ReflectionModel.Step.SLIDE,
+		ReflectionTexts.question_on_slide(),
+		ReflectionTexts.choices(),
+		func() -> int: return 1 if _has_part() else -1
+	)
+	ask_before(
+		ReflectionModel.Step.MIRROR,
+		ReflectionTexts.question_on_mirror(),
+		func() -> Vec2: return _model.velocity_after(2.0) if _has_part() else null,
+		_model.velocity_after.bind(1.0)
+	)
 	tell_steps(ReflectionTexts.sentences(_model))
 	_drawing.show_model(_model, _step())
 	_formula.show_model(_model, _step())
 	_show_call()
+
+
+func _has_part() -> bool:
+	return not _model.is_along_line() and not _model.refusal()
 
 
 func _step() -> ReflectionModel.Step:
@@ -110,6 +137,7 @@ func _step() -> ReflectionModel.Step:
 
 
 func _show_call() -> void:
+	_readout.visible = _step() == ReflectionModel.Step.BOUNCE
 	var title := "reflect(n, C)"
 	if _model.refusal():
 		_readout.show_texts("reflect", [title, tr("refused"), "", ""])

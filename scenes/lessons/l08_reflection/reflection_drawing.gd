@@ -37,6 +37,7 @@ func show_model(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_lay_handles(model, step)
 	_lay_wrong(model)
 	show_ball(model, step)
+	_table.visible = step == ReflectionModel.Step.BOUNCE
 	_table.show_model(model)
 	_show_verdict(model, step)
 
@@ -87,7 +88,7 @@ func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_spli
 	_second.label = "−(v·n) n" if step == ReflectionModel.Step.MIRROR else "−C (v·n) n"
 	_leaving.lay(Vec2.new(), leaving)
 	_mirror.lay(Vec2.new(), model.velocity_after(2.0))
-	var has_part := model.normal_part().length() > 0.0
+	var has_part := not model.is_along_line()
 	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE and has_part
 	_second.visible = bounces and leaving.distance_to(slide) > 0.0
 	_leaving.visible = bounces
@@ -112,6 +113,8 @@ func _lay_angles(model: ReflectionModel, step: ReflectionModel.Step, is_split: b
 	var leaving := model.velocity_after(model.times_subtracted(step))
 	_angle_in.measure(Vec2.new(), model.facing_normal(), model.velocity.negated())
 	_angle_out.measure(Vec2.new(), model.facing_normal(), leaving)
+	# A ball at rest makes no angle.
+	_angle_in.visible = _angle_in.visible and model.velocity.length() > 0.0
 	var bounces := is_split and step >= ReflectionModel.Step.MIRROR
 	_angle_out.visible = _angle_out.visible and bounces
 
@@ -131,7 +134,9 @@ func _lay_handles(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 
 # Where the normal is refused, the notice line says so in the same place.
 func _show_verdict(model: ReflectionModel, step: ReflectionModel.Step) -> void:
-	_verdict.visible = model.refusal() == ""
+	_verdict.visible = model.refusal() == "" and step >= ReflectionModel.Step.SLIDE
 	var sign_text := ReflectionTexts.verdict_sign(model, step)
 	var role := Palette.Role.RIGHT if sign_text == "=" else Palette.Role.QUIET
+	if model.mistake != 0:
+		role = Palette.Role.WRONG
 	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(model, step))

@@ -50,8 +50,11 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ReflectionExercise:
 	return new(kind, coming, line, 0.5 if kind == Kind.BOUNCE else 1.0)
 
 
-## The ball and the line of the question, with a normal of length 1.
+## The ball and the line of the question, with a normal of length 1. Nothing for a ball that moves
+## away: on the board every ball comes.
 func board_state() -> Dictionary:
+	if right_answer == PackedFloat64Array([velocity.x, velocity.y]):
+		return {}
 	return {
 		"velocity": PackedFloat64Array([velocity.x, velocity.y]),
 		"along": PackedFloat64Array([along.x, along.y]),

@@ -20,27 +20,34 @@ func show_model(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 
 func _lines(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
 	var found: PackedStringArray = [
-		"{v} = ( {vx} , {vy} )     %s = ( {lx} , {ly} )" % tr("line"), _normal_line(model)
+		"{v} = ( {vx} , {vy} )     %s = ( {lx} , {ly} )" % tr("line"), _normal_line(model, step)
 	]
 	if model.refusal():
 		found.append(tr("|{n}| is not 1: refused. {v} stays {v_pair}"))
 		return found
 	if step >= ReflectionModel.Step.SPLIT:
 		found.append("{v} · {n} = {v_x}·{n_x} + {v_y}·{n_y} = {dot}")
-		found.append("({v} · {n}) {n} = {part}")
-	if step >= ReflectionModel.Step.SLIDE:
-		found.append("{v} − ({v} · {n}) {n} = {v_pair} − {part} = {slide}")
-	if step == ReflectionModel.Step.MIRROR:
-		found.append("{v} − 2 ({v} · {n}) {n} = {mirror}")
-	if step == ReflectionModel.Step.BOUNCE:
-		found.append("{v} − (1 + C)({v} · {n}) {n} = {out}")
+		found.append("({v} · {n}) {n} = {dot} {n_pair} = {part}")
+	match step:
+		ReflectionModel.Step.SLIDE:
+			found.append("{v} − ({v} · {n}) {n} = {v_pair} − {part} = {slide}")
+		ReflectionModel.Step.MIRROR:
+			found.append("{v} − 2 ({v} · {n}) {n} = {v_pair} − 2 {part} = {mirror}")
+		ReflectionModel.Step.BOUNCE:
+			found.append("{v} − (1 + C)({v} · {n}) {n} = {v_pair} − {times} {part} = {out}")
+	if model.mistake != 0:
+		found.append("{wrong}: {wrong_pair}")
 	return found
 
 
-func _normal_line(model: ReflectionModel) -> String:
-	if model.has_unit_normal:
-		return "{n} = {n_pair}     C = {C}"
-	return "{n} = {n_pair}     |{n}| = {n_length}     C = {C}"
+func _normal_line(model: ReflectionModel, step: ReflectionModel.Step) -> String:
+	var line := "{n} = {n_pair}"
+	if not model.has_unit_normal:
+		line += "     |{n}| = {n_length}"
+	# C comes with the last step; mistakes need it, too.
+	if step == ReflectionModel.Step.BOUNCE or model.mistake != 0:
+		line += "     C = {C}"
+	return line
 
 
 # Each of these has its counterpart in ReflectionModel.enter.
@@ -62,11 +69,17 @@ func _put_both_vectors(velocity: Vec2, normal: Vec2) -> void:
 	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
 	_formula.put_number("n_x", normal.x, Palette.Role.UNIT)
 	_formula.put_number("n_y", normal.y, Palette.Role.UNIT)
-	_formula.put_text("dot", NumberText.short(velocity.dot(normal)), Palette.Role.INK)
+	var scale := velocity.length() * normal.length()
+	_formula.put_sum("dot", velocity.dot(normal), scale, Palette.Role.INK)
 
 
 func _put_results(model: ReflectionModel) -> void:
-	_formula.put_vector("part", model.normal_part(), Palette.Role.PROJECTION)
+	# Along the line, rounding is all that is left.
+	var scale := model.velocity.length() if model.is_along_line() else 0.0
+	_formula.put_vector_sum("part", model.normal_part(), scale, Palette.Role.PROJECTION)
 	_formula.put_vector("slide", model.velocity_after(1.0), Palette.Role.REST)
 	_formula.put_vector("mirror", model.velocity_after(2.0), Palette.Role.B)
 	_formula.put_vector("out", model.velocity_after(1.0 + model.bounciness), Palette.Role.B)
+	_formula.put_number("times", 1.0 + model.bounciness, Palette.Role.INK)
+	_formula.put_symbol("wrong", tr("mistake"), Palette.Role.WRONG)
+	_formula.put_vector("wrong_pair", model.velocity_with_mistake(), Palette.Role.WRONG)

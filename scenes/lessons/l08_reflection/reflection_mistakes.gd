@@ -79,7 +79,8 @@ static func infos() -> Array[MistakeInfo]:
 						"With n twice too long, v · n and n are both doubled: 4 times too much is subtracted."
 					)
 				),
-				"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused"
+				"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused",
+				LabText.translate("The test gives a normal of another length and wants it refused.")
 			)
 		),
 		MistakeInfo.new(
@@ -88,7 +89,8 @@ static func infos() -> Array[MistakeInfo]:
 			LabText.translate(
 				"That lies along the line: the ball turns back on its way, into the line."
 			),
-			"test_bounce.test_mistake_12_the_normal_of_the_normal_is_not_used"
+			"test_bounce.test_mistake_12_the_normal_of_the_normal_is_not_used",
+			LabText.translate("The test wants the part of v along the line to stay.")
 		),
 		MistakeInfo.new(
 			BOUNCY_TANGENT,
@@ -96,7 +98,8 @@ static func infos() -> Array[MistakeInfo]:
 			LabText.translate(
 				"C must act along the normal. Here it brakes the ball along the line."
 			),
-			"test_bounce.test_mistake_13_bounciness_leaves_the_tangent_alone"
+			"test_bounce.test_mistake_13_bounciness_leaves_the_tangent_alone",
+			LabText.translate("The test wants the same speed along the line for every C.")
 		),
 		(
 			MistakeInfo
@@ -109,7 +112,8 @@ static func infos() -> Array[MistakeInfo]:
 						"Next frame the ball still overlaps the line, and is sent back in: it sticks, jittering."
 					)
 				),
-				"test_bounce.test_mistake_14_a_ball_that_moves_away_is_left_alone"
+				"test_bounce.test_mistake_14_a_ball_that_moves_away_is_left_alone",
+				LabText.translate("The test reflects a ball that moves away and wants v unchanged.")
 			)
 		),
 	]

@@ -25,6 +25,8 @@ const END := 1.6
 ## No number is larger than this: its square still fits into the 32 bits of Godot's Vector2, which
 ## is shown beside ours.
 const LARGEST := 1e18
+# The bounciness with which one that acts along the line shows.
+const _SHOWING_BOUNCINESS := 0.5
 ## How far from 1 the length of a normal may be: as in [method Vec2.reflect].
 const NORMAL_TOLERANCE := 1e-9
 
@@ -44,6 +46,9 @@ var mistake := 0
 var time := START:
 	set(value):
 		time = clampf(value, START, END)
+
+# Whether a mistake has taken another bounciness.
+var _lends_bounciness := false
 
 
 ## The normal of length 1.
@@ -72,6 +77,11 @@ func refusal() -> String:
 ## (v . n) n with the unit normal: the part of the velocity along the normal.
 func normal_part() -> Vec2:
 	return velocity.vector_projection(unit_normal())
+
+
+## Whether the ball moves along the line, or not at all: what rounding leaves of v . n counts as 0.
+func is_along_line() -> bool:
+	return absf(velocity.dot(unit_normal())) <= velocity.length() / 2.0 ** 50
 
 
 ## How many times the part along the normal is subtracted at [param step]; never where the normal is
@@ -155,6 +165,19 @@ func fit_bounciness(leaving: Vec2) -> void:
 	var into := velocity.dot(unit_normal())
 	if into != 0.0:
 		bounciness = roundf(20.0 * clampf(-leaving.dot(unit_normal()) / into, 0.0, 1.0)) / 20.0
+
+
+## Switches a mistake on, or off for 0. With C = 1 the bounciness does nothing, on whichever part it
+## acts: that mistake takes a C with which it shows, and gives it back.
+func show_mistake(number: int) -> void:
+	mistake = number
+	if number == ReflectionMistakes.BOUNCY_TANGENT and bounciness == 1.0:
+		bounciness = _SHOWING_BOUNCINESS
+		_lends_bounciness = true
+	elif number != ReflectionMistakes.BOUNCY_TANGENT and _lends_bounciness:
+		_lends_bounciness = false
+		if bounciness == _SHOWING_BOUNCINESS:
+			bounciness = 1.0
 
 
 ## Takes a typed number by its name in the formula lines. "" if it could be taken; else one sentence

@@ -9,42 +9,84 @@ static func sentences(model: ReflectionModel) -> PackedStringArray:
 		var refusals: PackedStringArray = []
 		refusals.resize(ReflectionModel.Step.size())
 		refusals.fill(
-			LabText.translate("n is not of length 1: reflect refuses it, and v stays as it was.")
+			LabText.translate(
+				"n does not have length 1: reflect refuses it, and v stays as it was."
+			)
 		)
 		return refusals
 	return [
-		LabText.translate("A ball with velocity v meets a line with the unit normal n."),
-		LabText.translate("Along n, v has the part (v · n) n: the shadow of v on n."),
-		LabText.translate("Subtract it once: nothing goes into the line. The ball slides."),
+		LabText.translate("A ball with velocity v meets a line. n is the line's unit normal."),
+		_on_part(model),
+		LabText.translate("Subtract that part once: nothing goes into the line. The ball slides."),
 		LabText.translate("Subtract it twice: the law of reflection. Both angles are equal."),
-		LabText.translate("Subtract it (1 + C) times: C says how much of it comes back."),
+		LabText.translate(
+			"Subtract it (1 + C) times. C is the bounciness, the coefficient of restitution."
+		),
 	]
 
 
-## Two lines for the card on the board: the angles to the normal, and what is left of the energy.
+## What is asked before the ball slides, translated.
+static func question_on_slide() -> String:
+	return LabText.translate("What does the ball do if (v · n) n is subtracted from v once?")
+
+
+## The answers to [method question_on_slide], translated.
+static func choices() -> PackedStringArray:
+	return [
+		LabText.translate("it bounces off"),
+		LabText.translate("it slides along the line"),
+		LabText.translate("it flies through")
+	]
+
+
+## What is asked before the reflection is shown, translated.
+static func question_on_mirror() -> String:
+	return LabText.translate(
+		"The ball bounces and loses nothing. Where is the head of the new v? Drag the “?” there."
+	)
+
+
+## Two or three lines for the card on the board: the angles to the normal, what is left of the
+## energy, and the answer of a mistake.
 static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
 	var leaving := model.velocity_after(model.times_subtracted(step))
-	if step < ReflectionModel.Step.SLIDE:
-		var angle := NumberText.short(model.angle_in_degrees())
-		return [
-			LabText.translate("comes in at %s° to the normal") % angle,
-			LabText.translate("nothing subtracted: it flies through"),
-		]
-	var energy := LabText.translate("keeps %s %% of its energy")
-	return [
-		_angles(model, leaving),
-		energy % NumberText.short(model.energy_share(leaving) * 100.0, 3),
-	]
+	var words: PackedStringArray = [_angles(model, leaving)]
+	if model.velocity.length() > 0.0:
+		var energy := LabText.translate("keeps %s %% of its energy")
+		words.append(energy % NumberText.short(model.energy_share(leaving) * 100.0, 3))
+	if model.mistake != 0:
+		var wrong := model.velocity_with_mistake()
+		words.append(LabText.translate("the mistake says: %s") % NumberText.pair(wrong.x, wrong.y))
+	return words
 
 
-## The sign that the card carries: whether the angles are equal.
+## The sign that the card carries: whether the angles are equal; a cross where a mistake says
+## something else.
 static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> String:
-	if step < ReflectionModel.Step.SLIDE:
-		return "→"
+	if model.mistake != 0:
+		return "✗"
+	if not model.velocity.length():
+		return "0"
 	return "=" if model.has_equal_angles(model.times_subtracted(step)) else "≠"
 
 
+static func _on_part(model: ReflectionModel) -> String:
+	if model.is_along_line():
+		return LabText.translate("v · n = 0: nothing of v goes into the line, and nothing changes.")
+	if model.velocity.dot(model.unit_normal()) < 0.0:
+		return LabText.translate(
+			"(v · n) n is the part of v along n. v · n < 0: the ball approaches on the side of n."
+		)
+	return LabText.translate(
+		"(v · n) n is the part of v along n. v · n > 0: here n points to the other side."
+	)
+
+
 static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
+	if not model.velocity.length():
+		return LabText.translate("v = 0: the ball does not move")
+	if model.is_along_line():
+		return LabText.translate("it moves along the line")
 	var angle_in := NumberText.short(model.angle_in_degrees())
 	if leaving.length() == 0.0:
 		return LabText.translate("in %s° to the normal, and it stops") % angle_in

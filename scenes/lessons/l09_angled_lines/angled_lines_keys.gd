@@ -19,27 +19,28 @@ signal trails_switched
 ## Trails should begin anew.
 signal trails_cleared
 
-## The actions for the help line. Buttons on the screen name the others.
-const ACTIONS: Array[StringName] = [
-	&"lab_gravity_left",
-	&"lab_gravity_up",
-	&"lab_gravity_right",
-	&"lab_gravity_down",
-	&"lab_gravity_none",
-	&"lab_next_bounciness",
-	&"lab_toggle_trails",
-	&"lab_clear_trails",
-	&"lab_preset_0",
-	&"lab_preset_1",
-	&"lab_preset_2",
-	&"lab_preset_3",
-	&"lab_preset_4",
-	&"lab_preset_5",
-	&"lab_preset_6",
-	&"lab_preset_7",
-	&"lab_preset_8",
-	&"lab_preset_9",
-]
+## The actions for the help line, with what each does in a word: source text. Buttons on the screen
+## name the others.
+const ACTIONS: Dictionary[StringName, String] = {
+	&"lab_gravity_left": "gravity",
+	&"lab_gravity_up": "gravity",
+	&"lab_gravity_right": "gravity",
+	&"lab_gravity_down": "gravity",
+	&"lab_gravity_none": "no gravity",
+	&"lab_next_bounciness": "bounciness",
+	&"lab_toggle_trails": "trails",
+	&"lab_clear_trails": "clear trails",
+	&"lab_preset_0": "scene",
+	&"lab_preset_1": "scene",
+	&"lab_preset_2": "scene",
+	&"lab_preset_3": "scene",
+	&"lab_preset_4": "scene",
+	&"lab_preset_5": "scene",
+	&"lab_preset_6": "scene",
+	&"lab_preset_7": "scene",
+	&"lab_preset_8": "scene",
+	&"lab_preset_9": "scene",
+}
 
 ## Actions that a button names: beside the line with the focus, on the timeline, in the panel.
 const ON_BUTTONS: Array[StringName] = [
@@ -61,7 +62,7 @@ const _DIRECTIONS: Dictionary[StringName, Vector2i] = {
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	for action: StringName in ACTIONS + ON_BUTTONS:
+	for action: StringName in ACTIONS.keys() + ON_BUTTONS:
 		if event.is_action_pressed(action, action in HELD, true):
 			act(action)
 			get_viewport().set_input_as_handled()

@@ -24,7 +24,7 @@ const _LONGEST_TYPED := 10
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
 # A pair; before and after its comma there is at most one level of parentheses.
-const _PAIR := "\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
+const _PAIR := "(?<![a-z2])\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
 # How to spell a side for [Expression], one after the other. Its names are n0, n1, ...
 const _SPELLINGS: Dictionary[String, String] = {
 	"−": "-",
@@ -32,6 +32,7 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"²": "**2.0",
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
+	"atan2\\(": "180 / PI * atan2(",
 	"\\|([^|]*)\\|": "abs($1)",
 	"cos (n\\d+)°": "cos(deg_to_rad($1))",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
@@ -52,6 +53,8 @@ var _sizes: PackedInt32Array = []
 var _alone: PackedInt32Array = []
 # The place of the result among the names; -1 where nothing can be checked.
 var _result := -1
+# How many digits the result has now.
+var _result_digits := RESULT_DIGITS
 # For each component the sides that can be computed, and the same with the sizes of all terms added.
 var _computed: Array[Array] = [[], []]
 var _added: Array[Array] = [[], []]
@@ -92,7 +95,7 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 			found.append("")
 		elif place == _result:
 			found.append(
-				_text(numbers[_names[place]], _scales(numbers, terms), RESULT_DIGITS, true)
+				_text(numbers[_names[place]], _scales(numbers, terms), _result_digits, true)
 			)
 		else:
 			var number := numbers[_names[place]]
@@ -140,7 +143,7 @@ func _lone_number(side: String) -> int:
 
 func _names_in(side: String) -> PackedInt32Array:
 	var places: PackedInt32Array = []
-	for found in RegEx.create_from_string("n(\\d+)").search_all(side):
+	for found in RegEx.create_from_string("\\bn(\\d+)").search_all(side):
 		places.append(found.get_string(1).to_int())
 	return places
 
@@ -151,7 +154,7 @@ func _add_computed(whole_side: String) -> void:
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("cos n\\d+°|n\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string("cos n\\d+°|atan2|\\bn\\d+").sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:
@@ -189,10 +192,14 @@ func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> 
 	return scales
 
 
+# Where rounding leaves little of the result, only its first digits hold.
 func _digits_that_hold(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> int:
-	for digits in _DIGITS:
-		if _holds(numbers, terms, digits):
-			return digits
+	for result_digits in range(RESULT_DIGITS, 0, -1):
+		_result_digits = result_digits
+		for digits in _DIGITS:
+			if _holds(numbers, terms, digits):
+				return digits
+	_result_digits = RESULT_DIGITS
 	return RESULT_DIGITS
 
 
@@ -201,8 +208,8 @@ func _holds(numbers: Dictionary[String, Number], terms: PackedFloat64Array, digi
 	var scales := _scales(numbers, terms)
 	for component in terms.size():
 		var result := numbers[_names[_result]].components[component]
-		var shown := _shown(result, scales[component], RESULT_DIGITS)
-		var tolerance := NumberText.last_digit(result, RESULT_DIGITS)
+		var shown := _shown(result, scales[component], _result_digits)
+		var tolerance := NumberText.last_digit(result, _result_digits)
 		if shown == 0.0:
 			tolerance = terms[component] * (_ZERO if digits <= _FEW_DIGITS else NEARLY_ZERO)
 		for expression: Expression in _computed[component]:

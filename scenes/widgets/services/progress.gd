@@ -7,8 +7,9 @@ signal begun
 ## The student wants the work to stop where it is.
 signal stopped
 
-## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [&"lab_pause"]
+## Actions that this service answers to, with what each does in a word for the help line: source
+## text.
+const ACTIONS: Dictionary[StringName, String] = {&"lab_pause": "play or pause"}
 
 var _is_running := false
 

@@ -8,8 +8,11 @@ signal view_changed
 ## The student went to this step, counted from 0.
 signal step_changed(step: int)
 
-## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [&"lab_previous_step", &"lab_next_step"]
+## Actions that this service answers to, with what each does in a word for the help line: source
+## text.
+const ACTIONS: Dictionary[StringName, String] = {
+	&"lab_previous_step": "step back", &"lab_next_step": "next step"
+}
 
 ## The step that is shown, counted from 0: the first one at the start.
 var step: int:

@@ -7,10 +7,14 @@ signal advanced(seconds: float)
 ## Time stands still after it has run, or after a single step.
 signal halted
 
-## Actions that this service answers to, for the help line.
-const ACTIONS: Array[StringName] = [
-	&"lab_pause", &"lab_slow", &"lab_next_frame", &"lab_previous_frame"
-]
+## Actions that this service answers to, with what each does in a word for the help line: source
+## text.
+const ACTIONS: Dictionary[StringName, String] = {
+	&"lab_pause": "play or pause",
+	&"lab_slow": "slow",
+	&"lab_next_frame": "next frame",
+	&"lab_previous_frame": "frame back",
+}
 ## A single step lasts a sixtieth of a second, as a frame of the course does.
 const STEP_SECONDS := 1.0 / 60.0
 ## Slow motion runs at this share of real time.

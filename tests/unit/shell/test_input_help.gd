@@ -61,25 +61,35 @@ func test_an_action_without_a_key_or_button_is_left_out() -> void:
 
 func test_actions_are_named_in_the_order_given() -> void:
 	_bind_key(KEY_F5)
-	var line := InputHelp.line([&"lab_reset", _ACTION, &"lab_back"], false)
+	var purposes: Dictionary[StringName, String] = {&"lab_reset": "reset"}
+	purposes.merge({_ACTION: "slow", &"lab_back": "back"})
+	var line := InputHelp.line(purposes, false)
 	assert_eq(line.replace("\u00a0", " "), "R reset     F5 slow     Esc back")
 
 
 func test_a_line_breaks_only_between_actions() -> void:
 	_bind_key(KEY_F5)
-	assert_eq(InputHelp.line([_ACTION], false), "F5\u00a0slow")
+	assert_eq(InputHelp.line({_ACTION: "slow"}, false), "F5\u00a0slow")
 
 
-func test_every_action_of_the_lab_has_a_purpose_and_every_purpose_an_action() -> void:
-	for action: StringName in InputMap.get_actions():
-		if action.begins_with("lab_"):
-			assert_true(InputHelp.PURPOSES.has(action), action)
-	for action: StringName in InputHelp.PURPOSES:
-		assert_true(InputMap.has_action(action), action)
+func test_keys_with_the_same_purpose_share_an_entry() -> void:
+	var purposes: Dictionary[StringName, String] = {&"lab_reset": "begin", &"lab_pause": "begin"}
+	assert_eq(InputHelp.line(purposes, false), "RP\u00a0begin")
+
+
+func test_every_action_that_a_script_announces_is_in_the_project_settings() -> void:
+	var announced := 0
+	for file: String in SourceCode.files_below("res://scenes", ["gd"]):
+		var script: Script = load(file)
+		var actions: Dictionary = script.get_script_constant_map().get("ACTIONS", {})
+		announced += actions.size()
+		for action: StringName in actions:
+			assert_true(InputMap.has_action(action), "%s in %s" % [action, file])
+	assert_gt(announced, 0)
 
 
 func _line(for_joypad: bool) -> String:
-	return InputHelp.line([_ACTION], for_joypad).replace("\u00a0", " ")
+	return InputHelp.line({_ACTION: "slow"}, for_joypad).replace("\u00a0", " ")
 
 
 func _bind_key(key: Key, with_control_and_shift: bool = false) -> void:

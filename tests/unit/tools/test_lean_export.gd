@@ -5,6 +5,7 @@ const Demos := preload("res://tools/export/demos.gd")
 const LeanExport := preload("res://tools/export/lean_export.gd")
 
 const _SCENE_WITH_ICONS := "res://scenes/widgets/services/steps.tscn"
+const _INHERITED_SCENE := "res://scenes/lessons/l10_line_ends/capped_field.tscn"
 const _SAVED := "user://lean.scn"
 const _KEPT: PackedStringArray = ["res://kept.gd"]
 
@@ -28,6 +29,18 @@ func test_a_class_that_only_scenes_or_its_own_script_name_is_not_listed() -> voi
 	assert_does_not_have(listed, "res://scripts/vec2.gd")
 
 
+func test_a_scene_without_the_ids_of_its_nodes_has_all_of_its_nodes() -> void:
+	var mode := ResourceLoader.CACHE_MODE_IGNORE
+	var scene: PackedScene = ResourceLoader.load(_INHERITED_SCENE, "", mode)
+	var whole: Node = autofree(scene.instantiate())
+	LeanExport.make_lean(scene)
+	var content: Dictionary = scene.get("_bundled")
+	var ids: PackedInt32Array = content["node_ids"]
+	assert_eq(ids.size(), 0)
+	var lean: Node = autofree(scene.instantiate())
+	assert_eq(_paths_below(lean), _paths_below(whole))
+
+
 func test_of_the_ids_those_of_exported_files_stay() -> void:
 	var kept := _entry(7, "res://kept.gd")
 	var list := _count(3) + _entry(5, "res://gone.gd") + kept + _entry(9, "res://last.gd")
@@ -49,7 +62,7 @@ func test_the_lists_of_this_project_are_read_as_the_engine_writes_them() -> void
 func test_a_scene_takes_in_its_icons_but_not_its_script() -> void:
 	var mode := ResourceLoader.CACHE_MODE_IGNORE
 	var scene: PackedScene = ResourceLoader.load(_SCENE_WITH_ICONS, "", mode)
-	LeanExport.take_in_icons(scene)
+	LeanExport.make_lean(scene)
 	ResourceSaver.save(scene, _SAVED)
 	var named := ",".join(ResourceLoader.get_dependencies(_SAVED))
 	assert_string_contains(named, "steps.gd")
@@ -60,10 +73,8 @@ func test_a_scene_takes_in_its_icons_but_not_its_script() -> void:
 	assert_true((steps.get_node("Back") as Button).icon is DPITexture)
 
 
-func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused() -> void:
-	var unused := LeanExport.unused_settings(
-		["res://scenes/shell/input_help.gd", "res://scenes/widgets/services/steps.gd"]
-	)
+func test_an_action_that_no_script_names_is_unused() -> void:
+	var unused := LeanExport.unused_settings(["res://scenes/widgets/services/steps.gd"])
 	assert_does_not_have(unused, "input/lab_next_step")
 	assert_has(unused, "input/lab_pause")
 	assert_does_not_have(unused, "input/ui_accept")
@@ -72,6 +83,10 @@ func test_an_action_that_no_script_but_the_list_of_their_words_names_is_unused()
 func test_the_whole_lab_uses_every_action_but_no_plugin_of_the_editor() -> void:
 	var unused := LeanExport.unused_settings(Demos.needed_by(Demos.LAB).files)
 	assert_eq(unused, PackedStringArray(["editor_plugins/enabled"]))
+
+
+func _paths_below(node: Node) -> Array:
+	return node.find_children("*", "", true, false).map(node.get_path_to)
 
 
 func _count(count: int) -> PackedByteArray:

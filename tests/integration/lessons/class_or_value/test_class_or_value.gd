@@ -48,6 +48,54 @@ func test_with_copy_the_old_vec2_stays_behind() -> void:
 	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
 
 
+func test_until_the_change_the_first_numbers_can_be_typed_and_nothing_has_moved() -> void:
+	await go_to_step(ClassOrValueTexts.Step.SECOND_NAME)
+	assert_eq(_formula_lines()[0], "position = Vec2.new( 2 , -3 )")
+	assert_eq(_arrow("%Old").head, _arrow("%Old").tail + Vector2(2, -3))
+	await student.enter(_field("x of position"), "5")
+	assert_eq(_numbers("old"), PackedFloat64Array([5, -3]))
+	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+
+
+func test_the_change_is_asked_for_before_it_is_shown() -> void:
+	await go_to_step(ClassOrValueTexts.Step.SECOND_NAME)
+	await student.press(&"lab_next_step")
+	assert_does_not_read("set_xy( ")
+	await click_button("it moves, too")
+	assert_reads("Right")
+
+
+func test_32_bits_are_seen_in_the_numbers() -> void:
+	await student.enter(_field("x of position"), "16777217")
+	assert_has(_formula_lines(), "position (1.6777217e7, −4)   old (1.6777217e7, −4)")
+	assert_has(_formula_lines(), "value (1.6777216e7, −4)   old_value (2, −3)")
+
+
+# What the code shown would do, worked out from the state alone.
+func test_in_random_states_every_name_holds_what_the_code_gives_it() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 11
+	for i in 200:
+		var old: Array[int] = [rng.randi_range(-99, 99), rng.randi_range(-99, 99)]
+		var new: Array[int] = [rng.randi_range(-99, 99), rng.randi_range(-99, 99)]
+		var copies := rng.randi_range(0, 1) == 1
+		frame().lesson.show_state(
+			{
+				"position": PackedFloat64Array([new[0], new[1]]),
+				"old": PackedFloat64Array([old[0], old[1]]),
+				"copies": copies
+			}
+		)
+		var lines := "\n".join(_formula_lines()).replace(NumberText.MINUS, "-")
+		assert_string_contains(lines, "position = Vec2.new(%d, %d)" % old)
+		assert_string_contains(lines, "value = Vector2(%d, %d)\nold" % old)
+		assert_string_contains(lines, "set_xy( %d , %d )\nvalue = Vector2(%d, %d)" % (new + new))
+		assert_string_contains(
+			lines, "position (%d, %d)   old (%d, %d)" % (new + (old if copies else new))
+		)
+		assert_string_contains(lines, "value (%d, %d)   old_value (%d, %d)" % (new + old))
+
+
 func test_the_steps_begin_without_a_second_name_and_end_with_both_sums() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("1.3e−6")

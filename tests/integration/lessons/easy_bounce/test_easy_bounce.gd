@@ -11,8 +11,8 @@ func before_each() -> void:
 
 
 func test_it_starts_with_a_level_floor_and_no_error() -> void:
-	assert_reads("The easy way is right:")
-	assert_has(formula_lines(), "easy: floor − y = 40 − 4 = 36 < r: hit")
+	assert_reads("The easy way is right")
+	assert_has(formula_lines(), "easy: floor − y = 40 − 4 = 36     36 < r = 60: hit")
 	for row: int in [1, 2, 3, 4]:
 		assert_eq(readout_text(row, 2), "0")
 
@@ -30,6 +30,71 @@ func test_the_steps_show_one_thing_at_a_time() -> void:
 		await student.press(&"lab_previous_step")
 
 
+func test_card_and_table_come_with_the_steps() -> void:
+	await go_to_step(EasyBounceTexts.Step.MOVE)
+	assert_eq(seen(["%Verdict"]), [false] as Array[bool])
+	assert_eq(_rows(), [] as Array[String])
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	assert_reads("straight is the shortest way")
+	assert_eq(_rows(), ["easy distance", "by the normal"] as Array[String])
+	await go_to_step(EasyBounceTexts.Step.FLIP)
+	assert_has(_rows(), "easy velocity")
+	await go_to_step(EasyBounceTexts.Step.PUT_BACK)
+	assert_eq(_rows(), ["easy distance", "by the normal", "easy place"] as Array[String])
+
+
+func test_the_place_of_the_ball_is_guessed_before_it_is_shown() -> void:
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	await student.press(&"lab_next_step")
+	assert_reads("Where must the centre go, so that the ball just touches?")
+	assert_eq(seen(["%Guess", "%RightBall"]), [true, false] as Array[bool])
+	await drag(Vec2.new(0, 4), Vec2.new(0, -16))
+	await student.press(&"lab_next_step")
+	assert_reads("Your guess was 4 off.")
+	assert_eq(seen(["%RightBall"]), [true] as Array[bool])
+
+
+func test_the_component_that_flips_is_guessed_on_a_level_line_only() -> void:
+	var verdicts: Dictionary[String, String] = {
+		"y of v": "Right: y of v", "x of v": "No: it is y of v"
+	}
+	for choice: String in verdicts:
+		await student.press(&"lab_reset")
+		await go_to_step(EasyBounceTexts.Step.PUT_BACK)
+		await student.press(&"lab_next_step")
+		await click_button(choice)
+		assert_reads(verdicts[choice])
+	await click_button("30°")
+	await student.press(&"lab_reset")
+	await click_button("30°")
+	await go_to_step(EasyBounceTexts.Step.PUT_BACK)
+	await student.press(&"lab_next_step")
+	assert_does_not_read("Which component of v changes its sign?")
+
+
+func test_where_nothing_hits_nothing_is_asked_and_nothing_is_drawn() -> void:
+	await student.enter(field("y of the ball"), "-70")
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	await student.press(&"lab_next_step")
+	assert_reads("Put back: only after a hit. Here the ball does not hit.")
+	assert_reads("nothing to put back")
+	assert_has(formula_lines(), "easy: no hit: P stays")
+	assert_eq(seen(["%Guess", "%RightBall", "%EasyBall"]), [false, false, false] as Array[bool])
+
+
+func test_the_ball_swings_at_the_opening_and_begins_at_its_start() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"easy_bounce"))
+	OpeningMotion.is_allowed = false
+	var reached := 0.0
+	for i: int in 40:
+		await get_tree().process_frame
+		reached = minf(reached, numbers("ball")[1] - 4.0)
+		assert_true(_is_on_its_way(), "on the way of v, and over the line")
+	assert_lt(reached, 0.0)
+
+
 func test_on_a_tilted_line_the_easy_way_is_drawn_beside_the_right_one() -> void:
 	await click_button("30°")
 	assert_eq(seen(["%EasyPath", "%EasyBall"]), [true, true] as Array[bool])
@@ -40,17 +105,48 @@ func test_on_a_tilted_line_the_easy_way_is_drawn_beside_the_right_one() -> void:
 	assert_reads("Put back 14.4 px off")
 	assert_reads("and still 8.04 px deep")
 	await student.press(&"lab_previous_step")
-	assert_eq(seen(["%Straight", "%Shortest"]), [true, true] as Array[bool])
+	assert_eq(seen(["%Straight", "%Shortest", "%FromL"]), [true, true, true] as Array[bool])
 	assert_reads("4.82 px too far")
+
+
+func test_in_a_frame_without_a_hit_the_card_names_no_mistake() -> void:
+	await click_button("30°")
+	await click_button("One frame on")
+	assert_reads("Frame 1:\nthe easy ball is 61.2 px off")
+	await student.press(&"lab_previous_step")
+	assert_reads("No hit:\nv stays")
+	assert_has(formula_lines(), "right: no hit: v stays")
+	await go_to_step(EasyBounceTexts.Step.BOUNCE)
+	for i: int in 2:
+		await click_button("One frame back")
+	assert_reads("Frame -1:\nboth balls are in one place")
+
+
+func test_behind_a_tilted_line_the_easy_distance_is_too_far_by_a_size() -> void:
+	await click_button("30°")
+	await student.enter(field("y of the ball"), "120")
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	assert_reads("Straight is not shortest:\n10.7 px too far")
+	await go_to_step(EasyBounceTexts.Step.MOVE)
+	assert_reads("Now the ball is behind the line.")
+
+
+func test_a_ball_that_the_easy_way_misses_is_told_so() -> void:
+	await click_button("30°")
+	await student.enter(field("y of the ball"), "-25")
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	assert_reads("The easy way misses the hit:")
+	await go_to_step(EasyBounceTexts.Step.PUT_BACK)
+	assert_reads("the ball stays 3.71 px deep")
 
 
 func test_on_a_tilted_line_the_readout_holds_the_size_of_each_error() -> void:
 	await click_button("30°")
 	assert_eq(readout_text(1, 2), "4.82")
-	assert_eq(readout_text(2, 2), "14.4")
-	assert_eq(readout_text(3, 2), "52")
-	await click_button("Level")
-	assert_eq(readout_text(3, 2), "0")
+	assert_eq(readout_text(3, 2), "14.4")
+	assert_eq(readout_text(4, 2), "52")
+	await click_button("0°")
+	assert_eq(readout_text(4, 2), "0")
 
 
 func test_dragging_an_end_tilts_the_line() -> void:
@@ -169,3 +265,20 @@ func test_a_wrong_answer_is_named_and_the_right_one_taken() -> void:
 func _tilt() -> float:
 	var degrees: float = frame().lesson.state()["tilt_degrees"]
 	return degrees
+
+
+# The titles of the rows that are seen below the headings.
+func _rows() -> Array[String]:
+	var titles: Array[String] = []
+	var readout := frame().lesson.services[&"readout"] as Readout
+	for i: int in range(readout.columns, readout.get_child_count(), readout.columns):
+		var title := readout.get_child(i) as Label
+		if title.is_visible_in_tree():
+			titles.append(title.text)
+	return titles
+
+
+func _is_on_its_way() -> bool:
+	var ball := numbers("ball")
+	var share := (4.0 - ball[1]) / 48.0
+	return share >= 0.0 and share < 0.5 and absf(ball[0] + 20.0 * share) < 0.02

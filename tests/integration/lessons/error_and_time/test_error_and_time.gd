@@ -42,6 +42,26 @@ func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	assert_eq(frame().lesson.step, 2)
 
 
+func test_what_is_said_of_each_point_is_true_in_several_problems() -> void:
+	_steps().go_to(1)
+	for problem: int in [0, 1, 2, 6]:
+		await _pick("What is measured", problem)
+		await _finish_measuring()
+		var there := _run().measurements()
+		for place in there.size():
+			_plot().call(&"_choose", place)
+			await student.settle()
+			var beaten := there.any(
+				func(other: Measurement) -> bool: return _beats(other, there[place])
+			)
+			var title := "%s of problem %d" % [there[place].method, problem]
+			assert_ne(Screen.reads(screen(), "on the frontier"), beaten, title)
+			var fastest: float = there.map(_time_of).min()
+			var times := NumberText.short(there[place].run_time_us / fastest, 3)
+			assert_eq(_readout_text(3, 3), times, title)
+		assert_eq(_model().rank_of_closest(), _rank_of_closest(there), "problem %d" % problem)
+
+
 func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 	await _finish_measuring()
 	_steps().go_to(2)
@@ -254,6 +274,36 @@ func _model() -> ErrorAndTimeModel:
 
 func _steps() -> Steps:
 	return frame().lesson.services[&"steps"] as Steps
+
+
+# Faster and not worse, or closer and not slower.
+func _beats(one: Measurement, other: Measurement) -> bool:
+	if one.run_time_us > other.run_time_us or not one.error <= other.error:
+		return false
+	return one.run_time_us < other.run_time_us or one.error < other.error
+
+
+func _time_of(one: Measurement) -> float:
+	return one.run_time_us
+
+
+# 0 if the smallest error is the fastest one's, 2 if it is the slowest one's, else 1.
+func _rank_of_closest(all: Array[Measurement]) -> int:
+	if all.size() < 3:
+		return -1
+	var times: Array = all.map(_time_of)
+	var closest := all[0]
+	for one in all:
+		var is_faster := one.error == closest.error and one.run_time_us < closest.run_time_us
+		closest = one if one.error < closest.error or is_faster else closest
+	if closest.run_time_us == times.min():
+		return 0
+	return 2 if closest.run_time_us == times.max() else 1
+
+
+func _readout_text(row: int, column: int) -> String:
+	var readout := frame().lesson.services[&"readout"] as Readout
+	return (readout.get_child(row * readout.columns + column) as Label).text
 
 
 # The last entry in the list of problems.

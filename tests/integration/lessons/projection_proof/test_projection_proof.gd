@@ -9,6 +9,7 @@ func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"projection_proof"))
 	await go_to_step()
+	await _finish_turning()
 
 
 func after_each() -> void:
@@ -33,7 +34,7 @@ func test_stepping_back_to_the_first_step_turns_the_drawing_back() -> void:
 func test_the_second_step_turns_the_drawing() -> void:
 	await _go_to_first_step()
 	Engine.time_scale = 5.0
-	await student.press(&"lab_next_step")
+	await go_to_step(ProjectionProofTexts.Step.TURN)
 	var shares: Array[float] = []
 	for wait: int in _PATIENCE:
 		shares.append(_share())
@@ -50,14 +51,14 @@ func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 		"β = atan2((−6), 8) = −36.87°",
 		"a′ = (5, 5)     b′ = (10, 0)",
 		"signed length of p = a′.x = 5",
-		"a′.x = 7·cos β + 1·sin β",
+		"a′.x = 7·cos(−β) − 1·sin(−β)",
 		"sin β = by / |b| = (−6) / 10 = −0.6",
-		"= (7·8 + 1·(−6)) / 10 = a · b̂",
+		"a · b̂ = (7·8 + 1·(−6)) / 10 = 5",
 		"a′.x − a · b̂ = 0",
 	]
 	for line: String in lines:
 		assert_has(_lines(), line)
-		await student.press(&"lab_next_step")
+		await go_to_step(frame().lesson.step + 1)
 		await _finish_turning()
 
 
@@ -130,7 +131,7 @@ func test_reset_brings_the_lecture_back_and_can_be_undone() -> void:
 func test_sides_that_differ_show_their_difference_in_units_in_the_last_place() -> void:
 	await click_button("One bit")
 	assert_reads("1 unit in the last place apart")
-	assert_has(_lines(), "a′.x − a · b̂ = 4.441e−16")
+	assert_has(_lines(), "a′.x − a · b̂ = 0 (rounding: 4.4e−16)")
 
 
 func test_a_zero_b_is_explained_and_loses_nothing() -> void:
@@ -138,6 +139,26 @@ func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 	assert_reads("b is zero: no direction, no shadow")
 	await click_button("Lecture")
 	assert_reads("equal to the last bit")
+
+
+func test_the_turn_is_asked_for_before_it_is_shown() -> void:
+	await _go_to_first_step()
+	await student.press(&"lab_next_step")
+	assert_true((frame().lesson.get_node("%Guess") as CanvasItem).visible)
+	await _drag(Vec2.new(4.9, 0.7), Vec2.new(5, 5))
+	await student.press(&"lab_next_step")
+	assert_reads("Exactly.")
+	await _finish_turning()
+	await student.press(&"lab_next_step")
+	await click_button("the y of a′")
+	assert_reads("it is the x of a′")
+
+
+func test_while_it_plays_at_the_first_step_the_text_says_so() -> void:
+	await _go_to_first_step()
+	await click_button("Play or pause")
+	await student.settle()
+	assert_reads("Both turn by −β")
 
 
 func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> void:

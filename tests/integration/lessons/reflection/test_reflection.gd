@@ -16,16 +16,16 @@ func after_each() -> void:
 
 func test_it_starts_with_the_reflection_of_the_lecture() -> void:
 	_assert_numbers("velocity", [3, 4])
-	assert_has(_lines(), "v − (1 + C)(v · n) n = (3, −4)")
+	assert_has(_lines(), "v − (1 + C)(v · n) n = (3, 4) − 2 (0, 4) = (3, −4)")
 	assert_reads("in 36.87°, out 36.87° to the normal")
 
 
 func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	var wanted: Array[String] = [
-		"v − (1 + C)(v · n) n = (3, −4)",
-		"v − 2 (v · n) n = (3, −4)",
+		"v − (1 + C)(v · n) n = (3, 4) − 2 (0, 4) = (3, −4)",
+		"v − 2 (v · n) n = (3, 4) − 2 (0, 4) = (3, −4)",
 		"v − (v · n) n = (3, 4) − (0, 4) = (3, 0)",
-		"(v · n) n = (0, 4)",
+		"(v · n) n = (−4) (0, −1) = (0, 4)",
 	]
 	for line: String in wanted:
 		assert_eq(_lines()[-1], line)
@@ -146,7 +146,9 @@ func test_each_mistake_shows_its_wrong_velocity_beside_the_right_one() -> void:
 		_assert_number("mistake", 11 + i)
 		assert_eq(_model().velocity_with_mistake().to_vector2(), wrongs[i])
 		assert_true((frame().lesson.get_node("%Wrong") as CanvasItem).visible)
-		assert_reads("Caught by test_bounce.test_mistake_%d" % (11 + i))
+		var wrong := NumberText.pair(wrongs[i].x, wrongs[i].y)
+		assert_eq(_lines()[-1], "mistake: " + wrong)
+		assert_reads("the mistake says: " + wrong)
 
 
 func test_mistake_14_keeps_the_ball_at_the_line() -> void:
@@ -189,6 +191,33 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	assert_vec2(_model().velocity, velocity, 0.0)
 	await _answer(question, _model().reflected())
 	assert_reads("Right:")
+
+
+func test_the_reflection_is_asked_for_before_it_is_shown() -> void:
+	await go_to_step(ReflectionModel.Step.SPLIT)
+	await student.press(&"lab_next_step")
+	await click_button("it slides along the line")
+	assert_reads("Right")
+	await student.press(&"lab_next_step")
+	assert_true(_is_drawn("%Guess"))
+	assert_false(_is_drawn("%Leaving"))
+	await _drag(Vec2.new(3, 0), Vec2.new(3, -4))
+	await student.press(&"lab_next_step")
+	assert_reads("Exactly.")
+	assert_true(_is_drawn("%Leaving"))
+
+
+func test_a_ball_at_rest_makes_no_angle() -> void:
+	await _enter("x of v", "0")
+	await _enter("y of v", "0")
+	assert_reads("v = 0: the ball does not move")
+	assert_false(_is_drawn("%AngleIn"))
+
+
+func test_mistake_13_gives_the_bounciness_back() -> void:
+	await _pick_mistake(3)
+	await _pick_mistake(0)
+	_assert_number("bounciness", 1.0)
 
 
 func _answer(question: FoldableContainer, answer: Vec2) -> void:

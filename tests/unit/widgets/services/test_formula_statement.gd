@@ -66,6 +66,12 @@ func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
 	_assert_texts(statement, ["0 (rounding: 1.8e−15)"])
 
 
+func test_an_angle_is_computed_in_degrees() -> void:
+	var statement := FormulaStatement.new("β = atan2({y}, {x}) = {beta}°")
+	_put({y = -16.87443648746824, x = 200.0, beta = rad_to_deg(atan2(-16.87443648746824, 200.0))})
+	_assert_texts(statement, ["(−16.874)", "200", "−4.823"])
+
+
 func test_what_is_before_a_colon_are_words() -> void:
 	var statement := FormulaStatement.new("{wrong}: ({new} − {r}) / {b} = {t}")
 	_put({new = -149.63, r = 0.001, b = 377.6, t = -149.631 / 377.6})
