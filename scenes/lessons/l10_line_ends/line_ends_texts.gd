@@ -9,7 +9,7 @@ enum Step { ONE_SIDE, TWO_SIDES, SEGMENT, CAP, QUADRATIC, ROOTS, BOUNCE }
 static func sentences() -> PackedStringArray:
 	return [
 		LabText.translate(
-			"The line of before: infinite, with one good side. From behind, balls pass."
+			"As before: an infinite line with one good side. A ball from behind passes."
 		),
 		LabText.translate("Turn n to the ball's side: now both sides work. Still infinite."),
 		LabText.translate(
