@@ -3,7 +3,7 @@ extends RefCounted
 ## The words in the formula of each lesson, for [FormulaReader].
 
 const _WORDS: Dictionary[StringName, Dictionary] = {
-	&"class_or_value": {words = []},
+	&"class_or_value": {is_code = true},
 	&"easy_bounce":
 	{
 		words =

@@ -33,9 +33,12 @@ func _look_at(id: StringName) -> int:
 	var begun := Time.get_ticks_msec()
 	var errors := LessonFrame.ErrorCatcher.new()
 	OS.add_logger(errors)
+	# The first one says enough.
+	Engine.print_error_messages = false
 	var truth := LessonTruth.new(frame)
 	await truth.look_at(_states, _seed)
 	OS.remove_logger(errors)
+	Engine.print_error_messages = true
 	var seconds := (Time.get_ticks_msec() - begun) / 1000.0
 	print(
 		(
