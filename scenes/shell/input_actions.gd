@@ -25,11 +25,3 @@ static func load_packed() -> void:
 static func unpacked(bytes: PackedByteArray) -> Dictionary:
 	var mode := FileAccess.COMPRESSION_ZSTD
 	return bytes_to_var_with_objects(bytes.slice(4).decompress(bytes.decode_u32(0), mode))
-
-
-## The content of [constant FILE] for these actions, each with its events.
-static func packed(actions: Dictionary[StringName, Array]) -> PackedByteArray:
-	var plain := var_to_bytes_with_objects(actions)
-	var size: PackedByteArray = [0, 0, 0, 0]
-	size.encode_u32(0, plain.size())
-	return size + plain.compress(FileAccess.COMPRESSION_ZSTD)

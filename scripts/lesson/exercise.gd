@@ -26,6 +26,8 @@ class Verdict:
 
 ## Two numbers count as the same when they differ by less than this: answers are short decimals.
 const TOLERANCE := 0.005
+## A question whose mistakes cannot be told apart is drawn again, so often at most.
+const MOST_DRAWS := 100
 
 ## The question, in one or two sentences.
 var prompt := ""
@@ -61,15 +63,28 @@ func check(answer: PackedFloat64Array) -> Verdict:
 
 
 ## Whether each wrong answer tells which mistake led to it: no two known mistakes have the same
-## answer, and none has the right one.
+## answer, and none has the right one. A mistake that can lead to several answers has one sentence
+## for all of them; these may be the same.
 func tells_mistakes_apart() -> bool:
 	for i in mistakes.size():
 		if _same(mistakes[i].answer, right_answer):
 			return false
 		for j in i:
-			if _same(mistakes[i].answer, mistakes[j].answer):
+			var is_another := mistakes[i].sentence != mistakes[j].sentence
+			if is_another and _same(mistakes[i].answer, mistakes[j].answer):
 				return false
 	return true
+
+
+## A question that [param fresh] makes of a kind with [param rng], drawn again until it
+## [method tells_mistakes_apart]. After [constant MOST_DRAWS] draws the last one.
+static func drawn(fresh: Callable, kind: int, rng: RandomNumberGenerator) -> Exercise:
+	var exercise: Exercise = fresh.call(kind, rng)
+	for i in MOST_DRAWS - 1:
+		if exercise.tells_mistakes_apart():
+			break
+		exercise = fresh.call(kind, rng)
+	return exercise
 
 
 func _sentence_for(answer: PackedFloat64Array) -> String:

@@ -5,220 +5,7 @@ extends ScreenTest
 const _FAR := Vector2(70, -50)
 
 ## What ends a drag while the button is still down.
-var _ends: Dictionary[String, Callable] = {
-	"a key": func(_at: Vector2) -> void: await student.press(&"lab_copy_link"),
-	"the focus":
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-	## comes down or the window loses the focus. What has been let go does not follow the pointer.
-	## What ends a drag while the button is still down.
-	func(_at: Vector2) -> void:
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-		## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-		## comes down or the window loses the focus. What has been let go does not follow the pointer.
-		## What ends a drag while the button is still down.
-
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-## A drag belongs to what was pressed, and ends when the button is up, a key acts, another finger
-## comes down or the window loses the focus. What has been let go does not follow the pointer.
-
-## What ends a drag while the button is still down.
-
-		student.window.propagate_notification(NOTIFICATION_WM_WINDOW_FOCUS_OUT),
-	"another finger":
-	func(at: Vector2) -> void: student.touch_with_another_finger(at + Vector2(200, 0)),
-	"a release unseen": func(_at: Vector2) -> void: student.release_unseen(),
-}
+const _ENDS: PackedStringArray = ["a key", "the lost focus", "a release unseen"]
 
 
 func test_every_handle_of_every_lesson_is_let_go_by_a_key() -> void:
@@ -233,19 +20,19 @@ func test_every_handle_of_every_lesson_is_let_go_by_a_key() -> void:
 
 
 func test_whatever_ends_a_drag_ends_it_on_handle_board_and_graph() -> void:
-	for end: String in _ends:
+	for end: String in _ENDS:
 		await open_lesson(LessonIndex.find(&"dot_product"))
 		var graph := Screen.named(screen(), "a · b for each angle").get_global_rect().get_center()
 		for at: Vector2 in [_place(7, 1), _place(-3, -4), graph]:
 			await _hold_and_move(at)
-			await _ends[end].call(at)
+			await _end(end)
 			await _assert_is_let_go(at, end)
 			assert_false(Screen.button(screen(), "Undo").disabled, "the drag until %s counts" % end)
 		screen().free()
 
 
 func test_whatever_ends_a_drag_ends_it_on_the_timeline() -> void:
-	for end: String in _ends:
+	for end: String in _ENDS:
 		await open_lesson(LessonIndex.find(&"angled_lines"))
 		var options := frame().lesson.services[&"options"] as LessonOptions
 		options.chosen.emit("method", SteppingMethods.Method.EVENT_WORLD)
@@ -253,18 +40,18 @@ func test_whatever_ends_a_drag_ends_it_on_the_timeline() -> void:
 		var bar := frame().lesson.find_child("Bar", true, false) as TimelineBar
 		var at := bar.get_global_rect().get_center()
 		await _hold_and_move(at)
-		await _ends[end].call(at)
+		await _end(end)
 		await _assert_is_let_go(at, end)
 		screen().free()
 
 
 func test_a_line_that_is_drawn_ends_with_what_ends_a_drag() -> void:
-	for end: String in _ends:
+	for end: String in _ENDS:
 		await open_lesson(LessonIndex.find(&"angled_lines"))
 		var count := _line_count()
 		var at := _place(-100, -150)
 		await _hold_and_move(at)
-		await _ends[end].call(at)
+		await _end(end)
 		if end == "a release unseen":
 			student.move_to(at)
 		assert_eq(_line_count(), count + 1, end)
@@ -319,6 +106,28 @@ func test_shift_alone_ends_no_drag() -> void:
 	assert_almost_eq(a[0], 3.25, 0.05)
 
 
+func test_two_fingers_drag_nothing_and_one_drags_again() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	for at: Vector2 in [_place(7, 1), _place(-3, -4)]:
+		student.put_finger(0, at, true)
+		student.slide_finger(0, at + _FAR)
+		await student.settle()
+		var before := frame().lesson.state()
+		student.put_finger(1, at + Vector2(200, 0), true)
+		student.slide_finger(0, at - _FAR)
+		student.slide_finger(1, at + Vector2(300, 0))
+		student.put_finger(1, at + Vector2(300, 0), false)
+		student.slide_finger(0, at - 2.0 * _FAR)
+		student.put_finger(0, at - 2.0 * _FAR, false)
+		await student.settle()
+		assert_eq(frame().lesson.state(), before)
+	student.put_finger(0, _place(8, -6), true)
+	student.slide_finger(0, _place(5, 5))
+	student.put_finger(0, _place(5, 5), false)
+	await student.settle()
+	assert_eq(_vector("b"), PackedFloat64Array([5, 5]))
+
+
 func test_the_other_button_begins_a_drag_of_its_own() -> void:
 	await open_lesson(LessonIndex.find(&"dot_product"))
 	student.move_to(_place(-3, -4))
@@ -337,6 +146,16 @@ func _hold_and_move(at: Vector2) -> void:
 	student.hold(at)
 	student.move_to(at + _FAR)
 	await student.settle()
+
+
+func _end(what: String) -> void:
+	match what:
+		"a key":
+			await student.press(&"lab_copy_link")
+		"the lost focus":
+			student.window.propagate_notification(NOTIFICATION_WM_WINDOW_FOCUS_OUT)
+		"a release unseen":
+			student.release_unseen()
 
 
 # The first movement tells of a button that was released unseen.

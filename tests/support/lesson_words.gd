@@ -28,7 +28,11 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"r − distance",
 		],
 	},
-	&"normals": {words = ["from"], meanings = {x = "v.x", y = "v.y"}},
+	&"normals":
+	{
+		words = ["from", "divides 0 by 0", "without the test for 0: the same"],
+		meanings = {x = "v.x", y = "v.y"}
+	},
 	&"projection_proof":
 	{words = ["on the way:", "signed length of p"], meanings = {"b̂": "b / |b|"}},
 	&"line_distance":
@@ -71,6 +75,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		words =
 		[
 			"along the line, no time of impact",
+			"it moves away, no impact",
 			"the ball does not move. Do not divide by a.",
 			"no root. This end is not touched.",
 			"the line is met first",

@@ -69,6 +69,8 @@ func _read_services(services: Dictionary[StringName, Control]) -> void:
 		return
 	var cells := readout.get_children()
 	for at in range(readout.columns, cells.size(), readout.columns):
+		if not (cells[at] as Label).visible:
+			continue
 		var row: PackedStringArray = []
 		for cell: Label in cells.slice(at, at + readout.columns):
 			row.append(cell.text)

@@ -72,23 +72,28 @@ func release_unseen() -> void:
 	_buttons_down = 0
 
 
-## Puts another finger down; the first one is the mouse.
-func touch_with_another_finger(place: Vector2) -> void:
-	var event := InputEventScreenTouch.new()
-	event.index = 1
-	event.position = _window_pixel(place)
-	event.pressed = true
-	_send(event)
-
-
 ## Touches with one finger and lifts it.
 func touch(place: Vector2) -> void:
 	for is_down: bool in [true, false]:
-		var event := InputEventScreenTouch.new()
-		event.position = _window_pixel(place)
-		event.pressed = is_down
-		_send(event)
+		put_finger(0, place, is_down)
 	await settle()
+
+
+## Puts a finger down, counted from 0, or lifts it.
+func put_finger(index: int, place: Vector2, is_down: bool) -> void:
+	var event := InputEventScreenTouch.new()
+	event.index = index
+	event.position = _window_pixel(place)
+	event.pressed = is_down
+	_send(event)
+
+
+## Moves a finger that is down.
+func slide_finger(index: int, place: Vector2) -> void:
+	var event := InputEventScreenDrag.new()
+	event.index = index
+	event.position = _window_pixel(place)
+	_send(event)
 
 
 ## Presses the first key that the InputMap has for an action.

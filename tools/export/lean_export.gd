@@ -57,7 +57,7 @@ func _export_begin(
 	_write(_IDS, ids_of(_named_in_scenes(files), _files_before[_IDS]))
 	var left_out := unused_settings(files)
 	var actions := actions_in_settings(left_out)
-	add_file(InputActions.FILE, InputActions.packed(actions), false)
+	add_file(InputActions.FILE, packed(actions), false)
 	for action: StringName in actions:
 		left_out.append(_ACTION + action)
 	for setting: String in left_out:
@@ -184,6 +184,14 @@ static func actions_in_settings(left_out: PackedStringArray) -> Dictionary[Strin
 			var action: Dictionary = settings.get_value("input", name)
 			found[StringName(name)] = action["events"]
 	return found
+
+
+## The content of [constant InputActions.FILE] for these actions, each with its events.
+static func packed(actions: Dictionary[StringName, Array]) -> PackedByteArray:
+	var plain := var_to_bytes_with_objects(actions)
+	var size: PackedByteArray = [0, 0, 0, 0]
+	size.encode_u32(0, plain.size())
+	return size + plain.compress(FileAccess.COMPRESSION_ZSTD)
 
 
 ## The settings that a pack with these files does not need: the project's own input actions that

@@ -1,5 +1,6 @@
 class_name NormalByAngle
-## The unit normal by angles, the way of those who do not know (-y, x): slower and less exact.
+## The unit normal by angles, the way of those who do not know (-y, x): less exact, and wrong for a
+## zero vector.
 
 
 ## Takes the angle of [param v] by atan2, adds a quarter turn, and goes back by cos and sin. Has

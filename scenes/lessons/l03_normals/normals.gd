@@ -9,6 +9,10 @@ const _EXAMPLES: Dictionary[int, Dictionary] = {
 	NormalsMistakes.CUT_LENGTH: {line = [0.0, 0.0, 0.3, 0.4]},
 }
 
+# At the opening v swings so often, by so many degrees to either side.
+const _SWINGS := 4.0
+const _SWING := 20.0
+
 ## The factor by which the unit normal is drawn longer at the start; negative for the other side.
 @export_range(-100.0, 100.0, 0.5, "or_less", "or_greater") var times := 2.0
 
@@ -40,12 +44,27 @@ func start() -> void:
 	(services[&"question"] as Question).offer(NormalExercise.fresh, NormalExercise.Kind.size())
 	on_pick(_pick)
 	begin(_model, _show, _model.points_to_show)
+	ask_choice_before(
+		NormalsTexts.Step.OPPOSITE,
+		tr("v has a second normal, on the other side. Which one?"),
+		["(y, x)", "(y, −x)", "(−y, −x)"],
+		func() -> int: return 1 if _has_question() else -1
+	)
+	open_with(_swing.bind(_model.v()))
 
 
 # Undo, reset and links do not tell what was before.
 func show_state(stored: Dictionary) -> void:
 	_before = null
 	super(stored)
+
+
+# What moves by itself: the end swings, to hundredths, so that the numbers stay short.
+func _swing(seconds: float, v: Vec2) -> void:
+	var swung := v.copy()
+	swung.rotate_degrees(_SWING * sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST))
+	var end := _model.start.plus(swung)
+	_model.end.set_xy(snappedf(end.x, 0.01), snappedf(end.y, 0.01))
 
 
 # What the student does.
@@ -59,7 +78,7 @@ func _drag(tail: Vec2, head: Vec2) -> void:
 
 
 func _enter(name_in_line: String, value: float) -> void:
-	_before = _model.copy()
+	_before = _model.copy() if name_in_line != "k" else null
 	_model.enter(name_in_line, value)
 
 
@@ -77,13 +96,27 @@ func _pick(changes: Dictionary) -> String:
 
 func _show() -> void:
 	board.is_y_up = _model.is_y_up
+	ask_before(
+		NormalsTexts.Step.NORMAL,
+		NormalsTexts.question(_model),
+		func() -> Vec2: return _model.start.plus(_model.normal()) if _has_question() else null,
+		func() -> Vec2: return _model.end
+	)
 	tell_steps(NormalsTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_drawing.show_before(_before)
 	_formula.show_model(_model, step)
-	_verdict.show_model(_model, _before)
-	_show_way("normal", "Vec2.normal()", _model.v().normal)
-	_show_way("angle", tr("by the angle"), NormalByAngle.unit.bind(_model.v()))
+	_verdict.show_model(_model, _before, step)
+	_readout.visible = step >= NormalsTexts.Step.UNIT
+	if _readout.visible:
+		_show_way("formula", "(−y, x) / |v|", NormalByFormula.unit.bind(_model.v()))
+		_show_way("angle", tr("by the angle"), NormalByAngle.unit.bind(_model.v()))
+		_show_way("normal", "Vec2.normal()", _model.v().normal)
+
+
+# A zero v has no normals, and a mistake is beside the steps.
+func _has_question() -> bool:
+	return _model.has_direction() and _model.mistake == 0
 
 
 func _show_way(key: String, title: String, way: Callable) -> void:

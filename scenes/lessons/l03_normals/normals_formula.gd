@@ -4,27 +4,28 @@ extends RefCounted
 ##
 ## e is the unit normal, w1 and w2 are the wrong normals of mistake 9.
 
-const _LINE_OF_N := "{n} = (−y, x) = {n_pair}     {v} · {n} = {check}"
-const _LINE_OF_LENGTH := "|{n}| = √({n_x}² + {n_y}²) = {n_length}"
-const _LINE_OF_UNIT := "{e} = {n} / |{n}| = {e_pair}"
+const _NORMAL := "{n} = (−y, x) = {n_pair}"
+const _CHECK := "{v} · {n} = {x}·{n_x} + {y}·{n_y} = {check}"
+const _LENGTH := "|{n}| = √({n_x}² + {n_y}²) = {n_length}"
+const _UNIT := "{e} = {n} / |{n}| = {n_pair} / {n_length} = {e_pair}"
+const _ZERO := "|{n}| = {n_length}     {e} = {e_pair}"
 
-# The lines that each step adds to the one of v.
+# The lines that each step shows below the one of v.
 const _LINES: Array[Array] = [
 	[],
-	[_LINE_OF_N],
-	["(y, −x) = {opposite_pair} = −{n}"],
-	[_LINE_OF_LENGTH, _LINE_OF_UNIT],
-	["{k} · {e} = {scaled_pair}"],
+	[
+		"cos 90° = 0     sin 90° = 1",
+		"{n} = ({turned_x}, {turned_y})",
+		"{n} = ({x}·0 − {y}·1, {x}·1 + {y}·0) = {n_pair}",
+		_CHECK,
+	],
+	[_NORMAL, "(y, −x) = {opposite_pair} = −{n}"],
+	[_NORMAL, _LENGTH, _UNIT],
+	[_NORMAL, _LENGTH, _UNIT, "{k} · {e} = {scaled_pair}"],
 ]
-# The lines that a mistake shows instead, in all steps.
-const _LINES_OF_MISTAKES: Dictionary[int, Array] = {
-	NormalsMistakes.WRONG_NORMAL:
-	[_LINE_OF_N, "{w1} = {w1_pair}     {v} · {w1} = {w1_check}", "{w2} = {w2_pair}"],
-	NormalsMistakes.ZERO_VECTOR:
-	[_LINE_OF_LENGTH, _LINE_OF_UNIT, "{cross} {n} / |{n}| = {wrong_pair}"],
-	NormalsMistakes.CUT_LENGTH:
-	[_LINE_OF_LENGTH, _LINE_OF_UNIT, "{cross} int(|{n}|) = {cut}  →  {wrong_pair}"],
-}
+const _LINES_OF_ZERO: Array[Array] = [
+	[], [_NORMAL], [_NORMAL, "(y, −x) = {opposite_pair}"], [_NORMAL, _ZERO], [_NORMAL, _ZERO]
+]
 
 var _formula: Formula
 
@@ -34,19 +35,48 @@ func _init(formula: Formula) -> void:
 	_formula = formula
 
 
-## Shows the lines of all steps up to [param step], counted from 0, with the numbers of
-## [param model]; with a mistake switched on only those that it concerns, and its own.
+## Shows the lines of [param step] of [NormalsTexts] with the numbers of [param model]; with a
+## mistake switched on only those that it concerns, and its own.
 func show_model(model: NormalsModel, step: int) -> void:
 	_put_line(model)
 	_put_normals(model)
 	_put_mistakes(model)
 	var lines: PackedStringArray = ["{v} = ( {vx} , {vy} )   " + tr("from") + " ( {sx} , {sy} )"]
-	if model.mistake != 0:
-		lines.append_array(PackedStringArray(_LINES_OF_MISTAKES[model.mistake]))
-	else:
-		for added: PackedStringArray in _LINES.slice(0, step + 1):
-			lines.append_array(added)
+	var of_steps := _LINES if model.has_direction() else _LINES_OF_ZERO
+	match model.mistake:
+		NormalsMistakes.WRONG_NORMAL:
+			lines.append_array(_lines_of_wrong_normal())
+		NormalsMistakes.ZERO_VECTOR:
+			lines.append_array(_lines_of_zero_vector(model))
+		NormalsMistakes.CUT_LENGTH:
+			lines.append_array(_lines_of_cut_length(model))
+		_:
+			lines.append_array(PackedStringArray(of_steps[step]))
 	_formula.show_lines(lines)
+
+
+func _lines_of_wrong_normal() -> PackedStringArray:
+	return [
+		_NORMAL,
+		_CHECK,
+		"{w1} = {w1_pair}     {v} · {w1} = {x}·{y} + {y}·{x} = {w1_check}",
+		"{w2} = {w2_pair} = −{n}",
+	]
+
+
+func _lines_of_zero_vector(model: NormalsModel) -> PackedStringArray:
+	if model.has_direction():
+		return [_NORMAL, _LENGTH, _UNIT, "{cross} " + tr("without the test for 0: the same")]
+	return [_NORMAL, _ZERO, "{cross} " + tr("divides 0 by 0")]
+
+
+# From this length on there are only whole numbers: nothing is cut.
+func _lines_of_cut_length(model: NormalsModel) -> PackedStringArray:
+	if not model.has_direction():
+		return [_NORMAL, _ZERO]
+	if model.v().length() > 1e15:
+		return [_NORMAL, _LENGTH, _UNIT]
+	return [_NORMAL, _LENGTH, _UNIT, "{cross} int({uncut}) = {cut}"]
 
 
 func _put_line(model: NormalsModel) -> void:
@@ -54,6 +84,8 @@ func _put_line(model: NormalsModel) -> void:
 	_formula.put_symbol("v", "v", Palette.Role.A)
 	_formula.put_number("vx", v.x, Palette.Role.A, tr("x of v"))
 	_formula.put_number("vy", v.y, Palette.Role.A, tr("y of v"))
+	_formula.put_number("x", v.x, Palette.Role.A)
+	_formula.put_number("y", v.y, Palette.Role.A)
 	_formula.put_number("sx", model.start.x, Palette.Role.INK, tr("x of the start"))
 	_formula.put_number("sy", model.start.y, Palette.Role.INK, tr("y of the start"))
 	_formula.put_number("k", model.times, Palette.Role.UNIT, tr("How many times n̂ is drawn"))
@@ -63,6 +95,9 @@ func _put_normals(model: NormalsModel) -> void:
 	var n := model.normal()
 	_formula.put_symbol("n", "n", Palette.Role.B)
 	_formula.put_vector("n_pair", n, Palette.Role.B)
+	# In two parts, between which the line may break.
+	_formula.put_symbol("turned_x", "x cos 90° − y sin 90°", Palette.Role.A)
+	_formula.put_symbol("turned_y", "x sin 90° + y cos 90°", Palette.Role.A)
 	_formula.put_number("n_x", n.x, Palette.Role.B)
 	_formula.put_number("n_y", n.y, Palette.Role.B)
 	_formula.put_number("n_length", n.length(), Palette.Role.B)
@@ -76,12 +111,11 @@ func _put_normals(model: NormalsModel) -> void:
 func _put_mistakes(model: NormalsModel) -> void:
 	var v := model.v()
 	var swapped := NormalsMistakes.swapped(v)
-	var wrong_unit := NormalsMistakes.wrong_unit(model.mistake, v)
 	_formula.put_symbol("w1", "✗ (y, x)", Palette.Role.WRONG)
 	_formula.put_vector("w1_pair", swapped, Palette.Role.WRONG)
 	_formula.put_number("w1_check", v.dot(swapped), Palette.Role.WRONG)
 	_formula.put_symbol("w2", "✗ (y, −x)", Palette.Role.WRONG)
 	_formula.put_vector("w2_pair", NormalsMistakes.wrong_sign(v), Palette.Role.WRONG)
 	_formula.put_symbol("cross", "✗", Palette.Role.WRONG)
+	_formula.put_text("uncut", NormalsTexts.uncut_text(v.length()), Palette.Role.B)
 	_formula.put_number("cut", floorf(v.length()), Palette.Role.WRONG)
-	_formula.put_vector("wrong_pair", wrong_unit, Palette.Role.WRONG)

@@ -16,8 +16,8 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Zero": {line = [0.0, 0.0, 0.0, 0.0], times = 2.0},
 }
 
-## Two directions count as the same where their unit vectors differ by at most this.
-const SAME_DIRECTION := 1e-9
+## Two directions count as the same where their unit vectors differ by no more than rounding.
+const SAME_DIRECTION := 1e-15
 
 ## Where the line begins, in pixels.
 var start := Vec2.new()
@@ -59,6 +59,23 @@ func v() -> Vec2:
 	return end.minus(start)
 
 
+## Whether [method v] has a direction, and so normals: it is not zero.
+func has_direction() -> bool:
+	return v().length() > 0.0
+
+
+## Whether the mistake that is switched on leads to a wrong normal of this v.
+func is_mistaken() -> bool:
+	match mistake:
+		NormalsMistakes.WRONG_NORMAL:
+			return has_direction()
+		NormalsMistakes.ZERO_VECTOR:
+			return not has_direction()
+		NormalsMistakes.CUT_LENGTH:
+			return has_direction() and v().length() < 1.0
+	return false
+
+
 ## The normal (-y, x): +90 degrees from [method v], of the same length. Zero for a zero v.
 func normal() -> Vec2:
 	var along := v()
@@ -95,10 +112,13 @@ func points_to_show() -> Array[Vec2]:
 	return points
 
 
-## What has happened to the line since it began at [param old_start] with the vector [param old_v].
+## What has happened to the line since it began at [param old_start] with the vector [param old_v];
+## [constant Change.NONE] where either has no direction.
 func change_since(old_start: Vec2, old_v: Vec2) -> Change:
 	if v().equals_approx(old_v, 0.0):
 		return Change.NONE if start.equals_approx(old_start, 0.0) else Change.MOVED
+	if not has_direction() or old_v.length() == 0.0:
+		return Change.NONE
 	if v().normalized().equals_approx(old_v.normalized(), SAME_DIRECTION):
 		return Change.STRETCHED
 	return Change.TURNED

@@ -1,17 +1,23 @@
 class_name NormalsVerdict
 extends VerdictCard
 ## Says which way +90 degrees turns on the screen, and what a change of the line did to its normal.
+## It comes with the normal.
+
+const _MOST_DIGITS := 17
 
 
-## Shows the words for [param model] and for what has changed since [param before]; null where
-## nothing has.
-func show_model(model: NormalsModel, before: NormalsModel) -> void:
-	if model.mistake != 0:
+## Shows the words for [param model] at [param step] of [NormalsTexts], and for what has changed
+## since [param before]; null where nothing has.
+func show_model(model: NormalsModel, before: NormalsModel, step: int) -> void:
+	visible = step >= NormalsTexts.Step.NORMAL or model.mistake != 0
+	if model.is_mistaken():
 		show_verdict("✗", Palette.Role.WRONG, _mistake_words(model))
-	elif model.v().length() == 0.0:
+	elif not model.has_direction():
 		show_verdict(
 			"0", Palette.Role.QUIET, [tr("The zero vector"), tr("has no normal: it is 0.")]
 		)
+	elif model.mistake != 0:
+		show_verdict("=", Palette.Role.QUIET, [tr("Here the mistake"), tr("does not show")])
 	else:
 		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
 
@@ -36,26 +42,31 @@ func _change_words(model: NormalsModel, before: NormalsModel) -> String:
 		change = model.change_since(before.start, before.v())
 	match change:
 		NormalsModel.Change.MOVED:
-			return tr("moved: v, n and n̂ are unchanged")
+			return tr("moved: v and its normals stay")
 		NormalsModel.Change.STRETCHED:
-			return tr("same slope: n̂ is unchanged")
+			return tr("same slope: n̂ stays")
 		NormalsModel.Change.TURNED:
 			var degrees := NumberText.short(model.turned_degrees(before.v()), 3)
-			return tr("turned by %s°: so is the normal") % degrees
+			return tr("turned by %s°, and so is n") % degrees
 	return tr("y points up") if model.is_y_up else tr("y points down")
 
 
 func _mistake_words(model: NormalsModel) -> PackedStringArray:
-	var v := model.v()
 	if model.mistake == NormalsMistakes.WRONG_NORMAL:
-		var degrees := Vec2.rad_to_deg(v.angle_to(NormalsMistakes.swapped(v)))
-		return [
-			tr("(y, x): %s° from v, not +90°") % NumberText.short(degrees, 3),
-			tr("(y, −x): −90°, the other side"),
-		]
-	var wrong := NormalsMistakes.wrong_unit(model.mistake, v)
+		return [_swapped_words(model.v()), tr("(y, −x): −90°, the other side")]
+	var wrong := NormalsMistakes.wrong_unit(model.mistake, model.v())
 	var right := model.unit()
 	return [
 		tr("wrong: %s") % NumberText.pair(wrong.x, wrong.y),
 		tr("right: %s") % NumberText.pair(right.x, right.y),
 	]
+
+
+# With as many digits as tell the angle from 90 degrees; on an axis it can be right.
+func _swapped_words(v: Vec2) -> String:
+	var degrees := Vec2.rad_to_deg(v.angle_to(NormalsMistakes.swapped(v)))
+	for digits in range(3, _MOST_DIGITS):
+		var text := NumberText.short(degrees, digits)
+		if text != "90":
+			return tr("(y, x): %s° from v, not +90°") % text
+	return tr("(y, x): +90° by luck, as y is 0") if v.y == 0.0 else tr("(y, x): nearly +90°")

@@ -7,7 +7,7 @@ const _TIP := 13.0
 const _PIECES := 32
 # Shares of the quarter turn between which the arc is drawn: both arrows keep their tips free.
 const _FROM := 0.06
-const _TO := 0.9
+const _TO := 0.78
 
 ## Where the vector begins, in units of the plane. 32 bits; [method lay] keeps all digits.
 @export var tail := Vector2.ZERO:

@@ -38,8 +38,7 @@ func start() -> void:
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
-	# A refusal stays in the notice line as long as it holds.
-	about_to_show.connect(func() -> void: noticed.emit(_model.refusal()))
+	about_to_show.connect(_tell_refusal)
 	begin(_model, _show, _spanned_points)
 	open_with(_come)
 
@@ -94,6 +93,12 @@ func _fly(seconds: float) -> void:
 
 
 # What the student sees.
+
+
+# A refusal stays in the notice line as long as it holds.
+func _tell_refusal() -> void:
+	if _model.refusal():
+		noticed.emit(_model.refusal())
 
 
 func _spanned_points() -> Array[Vec2]:

@@ -64,7 +64,7 @@ func _draw() -> void:
 	for i in _count():
 		_draw_bar(_pixel_of(i, 0), a[i], Palette.Role.A)
 		_draw_bar(_pixel_of(i, 1), b[i], Palette.Role.B)
-		_write(str(i + 1), Vector2(_pixel_of(i, 0.5), size.y - 8.0), Palette.Role.QUIET)
+		_write("xyzw"[i], Vector2(_pixel_of(i, 0.5), size.y - 8.0), Palette.Role.QUIET)
 
 
 # No lesson runs in the editor that would choose the scale.

@@ -2,6 +2,8 @@ extends Lesson
 ## The lesson on more dimensions: the same dot product with three and four components. The
 ## components at the start are those of the bars in the scene, the view is that of the picture.
 
+## The opening turns the axes so fast, in radians a second.
+const _TURN_SPEED := TAU / OpeningMotion.LONGEST
 # Pixels between the card and the bars below it.
 const _GAP := 8.0
 
@@ -40,6 +42,12 @@ func start() -> void:
 	on_pick(_model.take)
 	about_to_show.connect(_fit)
 	begin(_model, _show)
+	open_with(_turn_slowly.bind(_model.view.yaw))
+
+
+# What moves by itself: the axes turn once.
+func _turn_slowly(seconds: float, first: float) -> void:
+	_model.view.yaw = first + _TURN_SPEED * seconds
 
 
 # What the student does.
@@ -60,7 +68,7 @@ func _move_head(letter: String, point: Vec2) -> String:
 
 func _turn(yaw: float, pitch: float) -> void:
 	_model.view.turn(yaw, pitch)
-	_picture.show_model(_model)
+	_picture.show_model(_model, step)
 
 
 # What the student sees.
@@ -83,9 +91,15 @@ func _arrange() -> void:
 
 
 func _show() -> void:
-	tell_steps(MoreDimensionsTexts.sentences())
+	ask_choice_before(
+		MoreDimensionsTexts.Step.SIGN,
+		MoreDimensionsTexts.question(),
+		MoreDimensionsTexts.choices(),
+		MoreDimensionsTexts.right_choice.bind(_model)
+	)
+	tell_steps(MoreDimensionsTexts.sentences(_model))
 	_formula.show_model(_model, step)
-	_picture.show_model(_model)
+	_picture.show_model(_model, step)
 	_bars.show_model(_model)
 	_stairs.visible = step >= MoreDimensionsTexts.Step.PRODUCTS
 	_stairs.products = _model.products()
@@ -97,6 +111,9 @@ func _show() -> void:
 
 
 func _show_calls() -> void:
+	_readout.visible = step >= MoreDimensionsTexts.Step.ANGLE
+	if not _readout.visible:
+		return
 	var one := _model.counted_a()
 	var other := _model.counted_b()
 	var exact_dot := ComponentLists.exact_dot(one, other)

@@ -24,7 +24,7 @@ func show_model(model: MoreDimensionsModel, step: int) -> void:
 	_formula.put_number("length_a", model.length_of_a(), Palette.Role.A)
 	_formula.put_number("length_b", model.length_of_b(), Palette.Role.B)
 	_formula.put_number("cosine", model.cosine(), Palette.Role.INK)
-	_formula.put_text("angle", NumberText.short(model.angle_degrees()), Palette.Role.INK)
+	_formula.put_text("angle", _angle_text(model), Palette.Role.INK)
 	_formula.show_lines(_lines(model, step))
 
 
@@ -39,17 +39,27 @@ func _put_component(place: int, of_a: float, of_b: float) -> void:
 func _lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
 	var dimension := model.dimension()
 	var found: PackedStringArray = [_list("a", dimension), _list("b", dimension)]
-	if step >= MoreDimensionsTexts.Step.PRODUCTS:
+	if step == MoreDimensionsTexts.Step.PRODUCTS:
 		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + "))
 	if step >= MoreDimensionsTexts.Step.SUM:
-		found.append("= " + _joined("{p%d}", dimension, " + ") + " = {dot}")
+		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + ") + " = {dot}")
 	if step >= MoreDimensionsTexts.Step.SIGN:
 		found.append("{a} · {b} {sign} 0:  " + MoreDimensionsTexts.sign_words(model))
-	if step >= MoreDimensionsTexts.Step.ANGLE:
+	if step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle():
 		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
-		found.append("cos α = {dot} / (|{a}| |{b}|) = {cosine}")
+		found.append("cos α = {dot} / ({length_a}·{length_b}) = {cosine}")
 		found.append("α = {angle}°")
 	return found
+
+
+# With as many digits as tell it from a right angle, where it is none.
+static func _angle_text(model: MoreDimensionsModel) -> String:
+	var angle := model.angle_degrees()
+	var digits := 4
+	var is_right := model.side() == MoreDimensionsModel.Side.RIGHT
+	while not is_right and NumberText.rounded(angle, digits) == 90.0 and digits < 17:
+		digits += 1
+	return NumberText.short(90.0 if is_right else angle, digits)
 
 
 static func _list(letter: String, dimension: int) -> String:

@@ -87,9 +87,32 @@ func angle_degrees() -> float:
 	return Vec2.rad_to_deg(acos(clampf(cosine(), -1.0, 1.0)))
 
 
-## Whether the angle is acute, right or obtuse, by the sign of the dot product alone.
+## The sum of the sizes of the products, in square units.
+func size_of_products() -> float:
+	var sum := 0.0
+	for product in products():
+		sum += absf(product)
+	return sum
+
+
+## Whether the angle is acute, right or obtuse, by the sign of the dot product alone. What rounding
+## leaves of it counts as 0.
 func side() -> Side:
-	return int(signf(dot())) as Side
+	var is_rounding := absf(dot()) <= size_of_products() / 2.0 ** 50
+	return (0 if is_rounding else int(signf(dot()))) as Side
+
+
+## Whether there is an angle: a zero vector makes none.
+func has_angle() -> bool:
+	return length_of_a() > 0.0 and length_of_b() > 0.0
+
+
+## The first three components of the shadow of a on b; zero for a zero b.
+func shadow() -> PackedFloat64Array:
+	var first_b := b.slice(0, 3)
+	var square := ComponentLists.dot(first_b, first_b)
+	var share := ComponentLists.dot(a.slice(0, 3), first_b) / square if square > 0.0 else 0.0
+	return [b[0] * share, b[1] * share, b[2] * share]
 
 
 ## Takes a typed number by its name in the formula, such as `a1`. "" if it was taken; else one

@@ -7,14 +7,37 @@ enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE }
 
 
 ## One sentence a step, translated.
-static func sentences() -> PackedStringArray:
+static func sentences(model: MoreDimensionsModel) -> PackedStringArray:
 	return [
 		LabText.translate("A vector is a list of numbers: two, three, four of them, or more."),
-		LabText.translate("Multiply the first with the first, the second with the second, ..."),
-		LabText.translate("... and add. One number comes out, whatever the dimension."),
+		LabText.translate("Multiply the first by the first, the second by the second, and so on."),
+		LabText.translate("Add the products: one number comes out, whatever the dimension."),
 		LabText.translate("Its sign alone tells whether the angle is below or above 90°."),
-		LabText.translate("For the angle itself, divide by both lengths: that is its cosine."),
+		_on_angle(model),
 	]
+
+
+## What is asked before the sign is shown, translated.
+static func question() -> String:
+	return LabText.translate("Is the angle between a and b below 90°, at 90° or above 90°?")
+
+
+## The answers to [method question], translated.
+static func choices() -> PackedStringArray:
+	return [
+		LabText.translate("below 90°"), LabText.translate("at 90°"), LabText.translate("above 90°")
+	]
+
+
+## The right one of [method choices], counted from 0; -1 where there is no angle.
+static func right_choice(model: MoreDimensionsModel) -> int:
+	return 1 - model.side() if model.has_angle() else -1
+
+
+static func _on_angle(model: MoreDimensionsModel) -> String:
+	if not model.has_angle():
+		return LabText.translate("A zero vector has no direction: there is no angle.")
+	return LabText.translate("For the angle itself, divide by both lengths: that is its cosine.")
 
 
 ## What the sign of the dot product says, in two lines, translated.
@@ -36,7 +59,7 @@ static func sign_words(model: MoreDimensionsModel) -> String:
 			return LabText.translate("the angle is above 90°")
 		MoreDimensionsModel.Side.ACUTE:
 			return LabText.translate("the angle is below 90°")
-	if model.exact_cosine() == null:
+	if not model.has_angle():
 		return LabText.translate("a zero vector makes no angle")
 	return LabText.translate("a right angle")
 

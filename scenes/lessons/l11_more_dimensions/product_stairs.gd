@@ -35,7 +35,7 @@ func _draw() -> void:
 	var sum := 0.0
 	for i in products.size():
 		_draw_stair(i, sum, sum + products[i], _role_of(products[i]), _text_of(products[i]))
-		_write_below(i, "%d" % (i + 1))
+		_write_below(i, "xyzw"[i])
 		sum += products[i]
 	if shows_sum:
 		_draw_stair(products.size(), 0.0, sum, Palette.Role.INK, NumberText.short(sum))

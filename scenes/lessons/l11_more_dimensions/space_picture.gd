@@ -11,6 +11,10 @@ signal turned(yaw: float, pitch: float)
 ## A drag or nudge of a head has ended.
 signal head_released
 
+# The arc of the angle: pixels from the origin, and how many strokes it has.
+const _ARC_PIXELS := 46.0
+const _STROKES := 24
+
 ## Radians for each pixel of a drag.
 const _TURN_PER_PIXEL := 0.01
 
@@ -20,6 +24,8 @@ const _TURN_PER_PIXEL := 0.01
 @export_range(-80.0, 80.0, 0.001, "radians_as_degrees") var pitch := -0.45
 
 var _reach := 1.0
+# Pixels from the origin, along the arc of the angle; empty where none is shown.
+var _arc: PackedVector2Array = []
 # Where the drag that turns the view was last; null while there is none.
 var _grip: Vec2
 
@@ -28,6 +34,8 @@ var _grip: Vec2
 @onready var _arrow_of_b: Arrow = %ArrowOfB
 @onready var _head_of_a: Handle = %HeadOfA
 @onready var _head_of_b: Handle = %HeadOfB
+@onready var _shadow: Arrow = %Shadow
+@onready var _to_shadow: Arrow = %ToShadow
 @onready var _drops: Array[Arrow] = [%DropOfA, %DropOfB]
 @onready var _floors: Array[Arrow] = [%FloorOfA, %FloorOfB]
 
@@ -54,8 +62,9 @@ func fit_model(model: MoreDimensionsModel) -> void:
 	_fit()
 
 
-## Shows the first three components of both vectors of [param model].
-func show_model(model: MoreDimensionsModel) -> void:
+## Shows the first three components of both vectors of [param model]; from the step of the sign on
+## the shadow of a on b, and with the last one the angle.
+func show_model(model: MoreDimensionsModel, step: int) -> void:
 	var view := model.view
 	for i in 3:
 		var end: PackedFloat64Array = [0.0, 0.0, 0.0]
@@ -63,6 +72,8 @@ func show_model(model: MoreDimensionsModel) -> void:
 		_axes[i].lay(Vec2.new(), view.seen_at(end[0], end[1], end[2]))
 	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
 	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)
+	_lay_shadow(model, step)
+	_lay_arc(model, step)
 
 
 # An arrow alone could lie anywhere in depth: its shadow on the floor y = 0 says where.
@@ -75,6 +86,40 @@ func _lay(
 	handle.place(head)
 	_floors[index].lay(Vec2.new(), foot)
 	_drops[index].lay(foot, head)
+
+
+func _lay_shadow(model: MoreDimensionsModel, step: int) -> void:
+	var shadow := model.shadow()
+	var foot := model.view.seen_at(shadow[0], shadow[1], shadow[2])
+	_shadow.lay(Vec2.new(), foot)
+	_to_shadow.lay(model.view.seen_at(model.a[0], model.a[1], model.a[2]), foot)
+	_shadow.visible = step >= MoreDimensionsTexts.Step.SIGN and model.has_angle()
+	_to_shadow.visible = _shadow.visible
+
+
+# Between both directions in space, drawn as it is seen.
+func _lay_arc(model: MoreDimensionsModel, step: int) -> void:
+	_arc.clear()
+	if step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle():
+		for i in _STROKES + 1:
+			var share := float(i) / _STROKES
+			var mixed: PackedFloat64Array = [0.0, 0.0, 0.0]
+			for axis in 3:
+				mixed[axis] = (
+					model.a[axis] / model.length_of_a() * (1.0 - share)
+					+ model.b[axis] / model.length_of_b() * share
+				)
+			var size := maxf(ComponentLists.length(mixed), 1e-300)
+			var seen := model.view.seen_at(mixed[0] / size, mixed[1] / size, mixed[2] / size)
+			_arc.append(seen.to_vector2() * _ARC_PIXELS)
+	queue_redraw()
+
+
+func _draw() -> void:
+	super()
+	if not _arc.is_empty():
+		draw_set_transform(to_screen(Vec2.new()))
+		draw_polyline(_arc, Palette.color(Palette.Role.INK), 3.0, true)
 
 
 func _fit() -> void:

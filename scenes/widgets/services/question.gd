@@ -32,8 +32,8 @@ func _ready() -> void:
 
 
 ## Asks questions that [param fresh] makes: it takes a kind, from 0 to [param kind_count] - 1, and
-## a [RandomNumberGenerator], and returns an [Exercise]. The kinds take turns, from
-## [param first_kind].
+## a [RandomNumberGenerator], and returns an [Exercise]. It is called again while two mistakes would
+## lead to the same answer. The kinds take turns, from [param first_kind].
 func offer(fresh: Callable, kind_count: int, first_kind: int = 0) -> void:
 	_fresh = fresh
 	_kind_count = kind_count
@@ -43,7 +43,7 @@ func offer(fresh: Callable, kind_count: int, first_kind: int = 0) -> void:
 
 # What was answered before is cleared.
 func _ask() -> void:
-	_exercise = _fresh.call(_kind, rng)
+	_exercise = Exercise.drawn(_fresh, _kind, rng)
 	_kind = (_kind + 1) % _kind_count
 	_prompt.text = _exercise.prompt
 	_verdict.text = ""

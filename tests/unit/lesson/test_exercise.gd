@@ -64,6 +64,39 @@ func test_a_mistake_with_the_right_answer_is_not_told_apart() -> void:
 	assert_false(_exercise().tells_mistakes_apart())
 
 
+func test_a_mistake_may_lead_to_the_same_answer_in_two_ways() -> void:
+	var exercise := Exercise.new()
+	exercise.right_answer = [5.0]
+	exercise.add_mistake([50.0], "One.")
+	exercise.add_mistake([50.0], "One.")
+	assert_true(exercise.tells_mistakes_apart())
+
+
+func test_a_question_is_drawn_until_its_mistakes_can_be_told_apart() -> void:
+	var numbers: Array[float] = [5.0, 5.001, 7.0, 8.0]
+	var drawn := Exercise.drawn(_fresh.bind(numbers), 3, RandomNumberGenerator.new())
+	assert_eq(drawn.mistakes[0].answer, PackedFloat64Array([7.0]))
+	assert_eq(drawn.prompt, "3")
+	assert_eq(numbers, [8.0])
+
+
+func test_a_question_whose_mistakes_are_always_the_same_is_drawn_only_so_often() -> void:
+	var numbers: Array[float] = []
+	numbers.resize(Exercise.MOST_DRAWS + 1)
+	numbers.fill(5.0)
+	Exercise.drawn(_fresh.bind(numbers), 0, RandomNumberGenerator.new())
+	assert_eq(numbers.size(), 1)
+
+
+# The right answer is 5, and the next of the numbers a mistake.
+func _fresh(kind: int, _rng: RandomNumberGenerator, numbers: Array[float]) -> Exercise:
+	var exercise := Exercise.new()
+	exercise.prompt = str(kind)
+	exercise.right_answer = [5.0]
+	exercise.add_mistake([numbers.pop_front()], "One.")
+	return exercise
+
+
 func _exercise() -> Exercise:
 	var exercise := Exercise.new()
 	exercise.right_answer = [5.0]

@@ -13,7 +13,7 @@ func test_a_pack_holds_the_actions_of_the_project() -> void:
 
 func test_packed_actions_come_back_with_all_their_events() -> void:
 	var actions := LeanExport.actions_in_settings([])
-	var bytes := InputActions.packed(actions)
+	var bytes := LeanExport.packed(actions)
 	assert_lt(bytes.size(), 2000)
 	var back := InputActions.unpacked(bytes)
 	assert_eq(back.keys(), actions.keys())

@@ -12,7 +12,7 @@ func before_each() -> void:
 
 func test_the_first_sight_is_an_acute_angle_in_space() -> void:
 	assert_reads("a · b > 0\nthe angle is below 90°")
-	assert_has(_formula_lines(), "= 8 + 12 + (−2) = 18")
+	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) = 18")
 	assert_has(_formula_lines(), "α = 43.16°")
 	assert_true(_part("Picture").visible)
 
@@ -28,8 +28,7 @@ func test_the_presets_show_all_three_signs() -> void:
 
 func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
 	await click_button("Four components")
-	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3")
-	assert_has(_formula_lines(), "= 8 + 12 + (−2) + 3 = 21")
+	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 = 21")
 	assert_false(_part("Picture").visible)
 	assert_not_null(Screen.named(screen(), "Component 4 of a"))
 
@@ -46,7 +45,7 @@ func test_the_card_covers_no_bar_where_bars_fill_the_board() -> void:
 func test_typed_components_are_taken() -> void:
 	await student.enter(_field("Component 3 of b"), "-2.5")
 	assert_eq(_numbers("b"), PackedFloat64Array([2, -4, -2.5, 3]))
-	assert_has(_formula_lines(), "= 8 + 12 + (−5) = 15")
+	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−2.5) = 15")
 
 
 func test_a_component_that_cannot_be_is_refused() -> void:
@@ -109,10 +108,33 @@ func test_the_steps_build_the_sum_up() -> void:
 	for step: int in 5:
 		counts.push_front(_formula_lines().size())
 		await student.press(&"lab_previous_step")
-	assert_eq(counts, [2, 3, 4, 5, 8] as Array[int])
+	assert_eq(counts, [2, 3, 3, 4, 7] as Array[int])
 	assert_false(_part("Stairs").visible)
 	await student.press(&"lab_next_step")
 	assert_true(_part("Stairs").visible)
+
+
+func test_the_sign_is_asked_for_before_it_is_shown() -> void:
+	await go_to_step(MoreDimensionsTexts.Step.SUM)
+	await student.press(&"lab_next_step")
+	await click_button("below 90°")
+	assert_reads("Right")
+	assert_reads("a · b > 0")
+
+
+func test_a_zero_vector_has_no_angle() -> void:
+	for i: int in 3:
+		await student.enter(_field("Component %d of a" % (i + 1)), "0")
+	assert_reads("a zero vector makes no angle")
+	assert_does_not_read("cos α =")
+	assert_false((frame().lesson.get_node("%Picture/Shadow") as CanvasItem).visible)
+
+
+func test_an_angle_just_below_90_degrees_is_not_shown_as_90() -> void:
+	await click_button("Right angle")
+	await student.enter(_field("Component 3 of b"), "-4.9999999")
+	assert_reads("a · b > 0")
+	assert_has(_formula_lines(), "α = 89.9999996°")
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:
@@ -121,7 +143,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.enter(_field("a · b ="), "0.5")
 	assert_reads("0.5 is not it yet")
 	await click_button("Show on board")
-	var last := _formula_lines()[3].get_slice(" = ", 1).replace("(", "").replace(")", "")
+	var last := _formula_lines()[2].get_slice(" = ", 2).replace("(", "").replace(")", "")
 	await student.enter(_field("a · b ="), last)
 	assert_reads("Right: %s." % last)
 
