@@ -3,8 +3,8 @@ extends ScreenTest
 ## the lesson and at each of its steps. `./lab true` looks at more states, and at other lessons.
 
 ## The lessons whose lines are all true. The others are being mended; then this list goes.
-<<<<<<< HEAD
 const _TRUE: Array[StringName] = [
+	&"class_or_value",
 	&"easy_bounce",
 	&"normals",
 	&"dot_product",
@@ -15,26 +15,6 @@ const _TRUE: Array[StringName] = [
 	&"angled_lines",
 	&"line_ends",
 	&"more_dimensions",
-=======
-<<<<<<< HEAD
-const _TRUE: Array[StringName] = [
-	&"class_or_value",
-	&"easy_bounce",
-	&"normals",
-	&"projection_proof",
-	&"reflection",
-	&"angled_lines",
-	&"error_and_time",
-]
-=======
-const _TRUE: Array[StringName] = [
-	&"class_or_value",
-	&"easy_bounce",
-	&"normals",
-	&"projection_proof",
-	&"reflection",
-	&"angled_lines",
->>>>>>> truth
 	&"error_and_time",
 ]
 const _STATES := 200
