@@ -30,6 +30,10 @@ func _look_at(id: StringName) -> int:
 	root.add_child(frame)
 	current_scene = frame
 	await process_frame
+	if not frame.lesson:
+		print("%s: it could not be opened" % id)
+		frame.free()
+		return 1
 	var begun := Time.get_ticks_msec()
 	var errors := LessonFrame.ErrorCatcher.new()
 	OS.add_logger(errors)

@@ -128,7 +128,8 @@ func _put_angles(model: DotProductModel) -> void:
 	_formula.put_number("u_degrees", of_u, role_of_u)
 	_formula.put_number("w_degrees", of_w, role_of_w)
 	_formula.put_number("angle", model.angle_degrees(), Palette.Role.INK)
-	_formula.put_sum("phi", of_u - of_w, absf(of_u) + absf(of_w), Palette.Role.INK)
+	var is_rounding := absf(of_u - of_w) <= FormulaStatement.ROUNDING * (absf(of_u) + absf(of_w))
+	_formula.put_number("phi", 0.0 if is_rounding else of_u - of_w, Palette.Role.INK)
 	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
 	var primitive := PrimitiveProjection.scalar(model.shadowed(), model.onto())
 	# The angles are rounded, too: that counts several times as much as a sum would.

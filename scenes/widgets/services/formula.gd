@@ -59,8 +59,8 @@ func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
 	_put(name_in_line, [vector.x, vector.y], 0.0, role)
 
 
-## A sum of terms whose sizes add up to [param size_of_terms], in the color of [param role]. What is
-## left of it by rounding alone is shown as 0. For a sum that the line itself does not show in numbers.
+## A sum of terms whose sizes add up to [param size_of_terms], in the color of [param role]. What
+## rounding alone leaves of it is shown as 0. For a sum whose terms the line does not show.
 func put_sum(name_in_line: String, value: float, size_of_terms: float, role: Palette.Role) -> void:
 	_put(name_in_line, [value], size_of_terms, role)
 

@@ -87,7 +87,7 @@ func test_the_primitive_way_is_computed_in_steps() -> void:
 		PackedStringArray(
 			[
 				"α = atan2(1, 7) = 8.13°",
-				"β = atan2(−6, 8) = −36.87°",
+				"β = atan2((−6), 8) = −36.87°",
 				"φ = α − β = 45°",
 				"|a| cos φ = 7.071·cos 45° = 5",
 			]
