@@ -70,9 +70,9 @@ func _fill_panel() -> void:
 
 
 # What moves by itself: back along v and on again, to hundredths, so that the numbers stay short.
-func _swing(seconds: float, start: Ball) -> void:
+func _swing(seconds: float, first: Ball) -> void:
 	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
-	var place := start.position.minus(start.velocity.scaled(_SWING * share))
+	var place := first.position.minus(first.velocity.scaled(_SWING * share))
 	_model.ball.position.set_xy(snappedf(place.x, 0.01), snappedf(place.y, 0.01))
 
 
