@@ -12,9 +12,9 @@ const _SIGNS: Dictionary[Key, String] = {
 }
 
 
-## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad. [param purposes]
-## says of each action what it does, in a word, which is translated here. Actions that follow each
-## other with the same purpose share one entry: `0…9 scene`.
+## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad.
+## [param purposes] says of each action what it does, in a word, which is translated here. Actions
+## that follow each other with the same purpose share one entry: `0…9 scene`.
 static func line(purposes: Dictionary[StringName, String], for_joypad: bool) -> String:
 	var keys: Dictionary[String, PackedStringArray] = {}
 	for action in purposes:

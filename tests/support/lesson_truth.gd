@@ -33,7 +33,8 @@ var read_count := 0
 
 var _frame: LessonFrame
 var _judge: LessonJudge
-var _reader: FormulaReader
+# Has problems(lines).
+var _reader: RefCounted
 var _known: Dictionary[String, Finding] = {}
 var _remark_finder := RegEx.create_from_string(_REMARK)
 var _number_finder := RegEx.create_from_string("%s\\.\\.%s|\\(%s\\)|%s".replace("%s", _NUMBER))
@@ -42,12 +43,19 @@ var _number_finder := RegEx.create_from_string("%s\\.\\.%s|\\(%s\\)|%s".replace(
 ## Of the lesson that [param frame] has opened.
 func _init(frame: LessonFrame) -> void:
 	_frame = frame
-	_reader = FormulaReader.new(LessonWords.of(frame.lesson_info.id))
+	var words := LessonWords.of(frame.lesson_info.id)
+	_reader = CodeReader.new() if words.is_code else FormulaReader.new(words)
 	_judge = LessonJudge.of(frame.lesson_info.id)
 
 
 ## Looks at so many states with this seed, each at every step.
 func look_at(state_count: int, seed_number: int) -> void:
+	CallTimer.is_measuring = false
+	await _look_at(state_count, seed_number)
+	CallTimer.is_measuring = true
+
+
+func _look_at(state_count: int, seed_number: int) -> void:
 	var lesson := _frame.lesson
 	var states := LessonStates.new(lesson, seed_number)
 	var wanted: Array[Dictionary] = []
@@ -75,7 +83,8 @@ func _look() -> void:
 	var formula: Formula = _frame.lesson.services.get(&"formula")
 	if formula:
 		read_count += 1
-		for sentence in _reader.problems(_lines_of(formula)):
+		var problems: PackedStringArray = _reader.call(&"problems", _lines_of(formula))
+		for sentence in problems:
 			_tell(sentence)
 	var problem := _judge.problem(SeenLesson.of(_frame))
 	if problem:

@@ -3,7 +3,7 @@ extends RefCounted
 ## The words in the formula of each lesson, for [FormulaReader].
 
 const _WORDS: Dictionary[StringName, Dictionary] = {
-	&"class_or_value": {words = []},
+	&"class_or_value": {is_code = true},
 	&"easy_bounce":
 	{
 		words =
@@ -75,6 +75,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		words =
 		[
 			"along the line, no time of impact",
+			"it moves away, no impact",
 			"the ball does not move. Do not divide by a.",
 			"no root. This end is not touched.",
 			"the line is met first",

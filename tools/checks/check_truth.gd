@@ -31,8 +31,14 @@ func _look_at(id: StringName) -> int:
 	current_scene = frame
 	await process_frame
 	var begun := Time.get_ticks_msec()
+	var errors := LessonFrame.ErrorCatcher.new()
+	OS.add_logger(errors)
+	# The first one says enough.
+	Engine.print_error_messages = false
 	var truth := LessonTruth.new(frame)
 	await truth.look_at(_states, _seed)
+	OS.remove_logger(errors)
+	Engine.print_error_messages = true
 	var seconds := (Time.get_ticks_msec() - begun) / 1000.0
 	print(
 		(
@@ -43,4 +49,7 @@ func _look_at(id: StringName) -> int:
 	for finding in truth.findings:
 		print("  " + finding.text())
 	frame.free()
+	if errors.first:
+		print("  an error: " + errors.first)
+		return truth.findings.size() + 1
 	return truth.findings.size()

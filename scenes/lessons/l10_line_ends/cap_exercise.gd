@@ -40,8 +40,15 @@ func _init(kind: Kind, from: Vec2, by: Vec2, with_radius: float) -> void:
 
 
 ## A question with numbers drawn from [param rng]: the ball touches the end at a quarter, a half or
-## three quarters of the frame.
+## three quarters of the frame, and every known mistake leads to an answer of its own.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
+	var exercise := _drawn(kind, rng)
+	while not exercise.tells_mistakes_apart():
+		exercise = _drawn(kind, rng)
+	return exercise
+
+
+static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var touch := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var fraction := _FRACTIONS[rng.randi_range(0, _FRACTIONS.size() - 1)]

@@ -21,6 +21,7 @@ func start() -> void:
 	_fill_panel()
 	about_to_show.connect(func() -> void: _drawing.fit(_model))
 	begin(_model, _show)
+	open_with(_fly)
 
 
 func _fill_panel() -> void:
@@ -36,6 +37,13 @@ func _fill_panel() -> void:
 	var question := services[&"question"] as Question
 	question.offer(CapExercise.fresh, CapExercise.Kind.size())
 	on_edit(question.board_wanted, _show_exercise)
+
+
+# What moves by itself: the ball flies the frame, waits, and flies it again.
+func _fly(seconds: float) -> void:
+	var wait := 1.0
+	var since := fmod(seconds + _SECONDS_PER_FRAME, _SECONDS_PER_FRAME + wait)
+	_model.fraction = minf(since / _SECONDS_PER_FRAME, 1.0)
 
 
 # What the student does.
@@ -74,7 +82,19 @@ func _advance(seconds: float) -> void:
 
 
 func _show() -> void:
+	ask_choice_before(
+		LineEndsTexts.Step.CAP,
+		LineEndsTexts.question_on_end(),
+		LineEndsTexts.choices_on_end(),
+		func() -> int: return 0 if _model.bounces_on_the_end() else 1
+	)
+	ask_choice_before(
+		LineEndsTexts.Step.BOUNCE,
+		LineEndsTexts.question_on_normal(),
+		LineEndsTexts.choices_on_normal(),
+		func() -> int: return 0 if _model.bounces_on_the_end() else -1
+	)
 	tell_steps(LineEndsTexts.sentences())
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
-	_readout.show_model(_model)
+	_readout.show_model(_model, step)

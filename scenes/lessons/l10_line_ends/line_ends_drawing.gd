@@ -22,12 +22,24 @@ const _FIRST_STEPS: Array[LineEndsTexts.Step] = [
 	LineEndsTexts.Step.CAP,
 ]
 
+# Which field each step is about: it is the large one.
+const _ACTIVE_FIELDS: Array[LineEndsModel.Field] = [
+	LineEndsModel.Field.INFINITE_ONE_SIDED,
+	LineEndsModel.Field.INFINITE_TWO_SIDED,
+	LineEndsModel.Field.SEGMENT_TWO_SIDED,
+	LineEndsModel.Field.ROUND_CAPS,
+	LineEndsModel.Field.ROUND_CAPS,
+	LineEndsModel.Field.ROUND_CAPS,
+	LineEndsModel.Field.ROUND_CAPS,
+]
+
 # In the order of LineEndsModel.Field.
 @onready var _fields: Array[LineEndsField] = [
 	%InfiniteOneSided, %InfiniteTwoSided, %SegmentOneSided, %SegmentTwoSided, %RoundCaps
 ]
 @onready var _capped: CappedField = %RoundCaps
 @onready var _graph: CapGraph = %Graph
+@onready var _layout: LineEndsLayout = %Fields
 
 
 func _ready() -> void:
@@ -58,6 +70,7 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
 		_fields[i].visible = step >= _FIRST_STEPS[i]
 		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind))
+	_layout.active = _ACTIVE_FIELDS[step]
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
 	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)

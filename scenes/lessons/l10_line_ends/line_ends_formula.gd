@@ -12,6 +12,8 @@ const _GIVEN: PackedStringArray = [
 const _BLUE := Palette.Role.PROJECTION
 
 var _formula: Formula
+# The ball overlaps the line from the start: t is below 0, and the start of the frame counts.
+var _starts_at_once := false
 
 
 ## Writes into [param formula].
@@ -71,12 +73,13 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 	_formula.put_number("distance", absf(signed), Palette.Role.INK)
 	_formula.put_number("approach", approach, Palette.Role.INK)
 	_formula.put_number("radius", model.radius, Palette.Role.INK)
-	if approach != 0.0:
+	if approach > 0.0:
 		var fraction := PointOfImpact.fraction(absf(signed), absf(signed) - approach, model.radius)
-		var point := model.start.plus(model.motion.scaled(fraction))
+		var point := model.start.plus(model.motion.scaled(maxf(fraction, 0.0)))
 		_formula.put_number("line_fraction", fraction, _BLUE)
 		_formula.put_vector("line_point", point, _BLUE)
 		_formula.put_number("s", model.segment.share_of(point), Palette.Role.INK)
+		_starts_at_once = fraction < 0.0
 
 
 func _put_equation(model: LineEndsModel) -> void:
@@ -111,31 +114,43 @@ func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
 	if step == LineEndsTexts.Step.ONE_SIDE:
 		return ["{n} = {n_pair}     (P − A) · {n} = {signed}"]
 	var found: PackedStringArray = ["{n} = {n_pair}     (P − A) · {n} = {distance}"]
-	if model.motion.dot(model.facing_normal()) == 0.0:
+	var approach := -model.motion.dot(model.facing_normal())
+	if approach == 0.0:
 		found.append("{v} · {n} = 0: " + tr("along the line, no time of impact"))
-		return found
-	found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
-	if step == LineEndsTexts.Step.SEGMENT:
-		found.append("F = P + {t} {v} = {line_point}")
-		found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
+	elif approach < 0.0:
+		found.append("−{v} · {n} = {approach}: " + tr("it moves away, no impact"))
+	else:
+		found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
+		if step == LineEndsTexts.Step.SEGMENT:
+			found.append(
+				("F = P + 0 {v}" if _starts_at_once else "F = P + {t} {v}") + " = {line_point}"
+			)
+			found.append("s = (F − A) · (B − A) / |B − A|² = {s}")
 	return found
 
 
 func _lines_on_cap(model: LineEndsModel, step: int) -> PackedStringArray:
-	var found: PackedStringArray = []
-	if step < LineEndsTexts.Step.BOUNCE:
-		found.append("{d} = P − {end} = {d_pair}     |{d}| = {d_length}")
+	var found: PackedStringArray = ["{d} = P − {end} = {d_pair}     |{d}| = {d_length}"]
 	if step in [LineEndsTexts.Step.QUADRATIC, LineEndsTexts.Step.ROOTS]:
 		found.append("a = {v} · {v} = {a}     b = 2 {d} · {v} = {b}")
-	if step == LineEndsTexts.Step.QUADRATIC:
 		found.append("c = {d} · {d} − r² = {d_squared} − {r_squared} = {c}")
-	if step >= LineEndsTexts.Step.ROOTS:
-		found.append("c = {d} · {d} − r² = {c}     D = b² − 4ac = {discriminant}")
+	if step == LineEndsTexts.Step.ROOTS:
+		found.append("D = b² − 4 a c = {b}² − 4·{a}·{c} = {discriminant}")
 		found.append_array(_lines_on_roots(model))
 	if step == LineEndsTexts.Step.BOUNCE and model.bounces_on_the_end():
-		found.append("{n} = (P + {t} {v} − {end}) / r = {cap_normal}")
-		found.append("{v} − 2 ({v} · {n}) {n} = {after}")
+		found.append_array(_lines_on_bounce(model))
 	return found
+
+
+# A ball that overlaps the end touches it where it starts, at whatever distance.
+func _lines_on_bounce(model: LineEndsModel) -> PackedStringArray:
+	if model.impact_in(LineEndsModel.Field.ROUND_CAPS).fraction == 0.0:
+		return ["{n} = {d} / |{d}| = {cap_normal}", "{v} − 2 ({v} · {n}) {n} = {after}"]
+	return [
+		"{t} = {first}",
+		"{n} = (P + {t} {v} − {end}) / r = {cap_normal}",
+		"{v} − 2 ({v} · {n}) {n} = {after}"
+	]
 
 
 func _lines_on_roots(model: LineEndsModel) -> PackedStringArray:
@@ -145,8 +160,11 @@ func _lines_on_roots(model: LineEndsModel) -> PackedStringArray:
 	if not equation.has_roots():
 		return [tr("D < 0: no root. This end is not touched.")]
 	return [
-		"{t} = (−b − √D) / 2a = ({minus_b} − {root}) / {two_a} = {first}",
-		"{u} = (−b + √D) / 2a = {second}     " + _verdict(model, equation),
+		"{t} = (−b − √D) / (2 a) = ({minus_b} − {root}) / {two_a} = {first}",
+		(
+			"{u} = (−b + √D) / (2 a) = ({minus_b} + {root}) / {two_a} = {second}     "
+			+ _verdict(model, equation)
+		),
 	]
 
 

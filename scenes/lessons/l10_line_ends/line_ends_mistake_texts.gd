@@ -17,7 +17,8 @@ static func infos() -> Array[MistakeInfo]:
 			18,
 			LabText.translate("D squared instead of rooted"),
 			LabText.translate("(−b − D²) / 2a: a gap of 8 at speed 10 gives t = −64799, not 0.5."),
-			"test_cap_impact.test_the_discriminant_is_rooted_not_squared"
+			"test_cap_impact.test_the_discriminant_is_rooted_not_squared",
+			LabText.translate("The test wants t = 0.5 for a gap of 8 px at speed 10.")
 		),
 		MistakeInfo.new(
 			19,
@@ -25,7 +26,8 @@ static func infos() -> Array[MistakeInfo]:
 			LabText.translate(
 				"The root of D < 0 is NaN, and so are time, place and normal: no ball left."
 			),
-			"test_cap_impact.test_a_near_miss_has_no_time_and_no_normal"
+			"test_cap_impact.test_a_near_miss_has_no_time_and_no_normal",
+			LabText.translate("The test shoots past an end and wants no touch, not NaN.")
 		),
 		MistakeInfo.new(
 			20,
@@ -33,21 +35,26 @@ static func infos() -> Array[MistakeInfo]:
 			LabText.translate(
 				"t counted from the new position but added to the old: −0.5, not 0.5."
 			),
-			"test_cap_impact.test_the_time_counts_from_the_old_position"
+			"test_cap_impact.test_the_time_counts_from_the_old_position",
+			LabText.translate("The test wants the ball to be r away from the end at t.")
 		),
 		MistakeInfo.new(
 			22,
 			LabText.translate("end tested too late"),
 			LabText.translate("Above the line AFTER the frame is not above it at the impact."),
-			"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame"
+			"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame",
+			LabText.translate(
+				"The test shoots past an end at an angle, so that old and new tell different sides."
+			)
 		),
 		MistakeInfo.new(
 			23,
 			LabText.translate("line without ends"),
 			LabText.translate(
-				"Infinite, no caps or one-sided: compare the four small fields, marked ✗."
+				"Infinite, no caps or one-sided: compare the four other fields, marked ✗."
 			),
-			"test_segment_impact.test_an_infinite_line_is_not_a_segment"
+			"test_segment_impact.test_an_infinite_line_is_not_a_segment",
+			LabText.translate("The test shoots past both ends and from both sides.")
 		),
 	]
 

@@ -11,8 +11,11 @@ func _init(readout: Readout) -> void:
 	_readout = readout
 
 
-## Shows the fractions for the shot of [param model].
-func show_model(model: LineEndsModel) -> void:
+## Shows the fractions for the shot of [param model], from the step of the roots on.
+func show_model(model: LineEndsModel, step: int) -> void:
+	_readout.visible = step >= LineEndsTexts.Step.ROOTS
+	if not _readout.visible:
+		return
 	var facing := SegmentImpact.facing_segment(model.start, model.segment)
 	_show(
 		"line",

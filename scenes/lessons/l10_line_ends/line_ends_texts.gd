@@ -8,15 +8,41 @@ enum Step { ONE_SIDE, TWO_SIDES, SEGMENT, CAP, QUADRATIC, ROOTS, BOUNCE }
 ## One sentence a step, translated.
 static func sentences() -> PackedStringArray:
 	return [
-		LabText.translate("So far: an infinite line with one good side. From behind, balls pass."),
-		LabText.translate("Turn n to the ball's side, and both sides work. Still infinite."),
 		LabText.translate(
-			"With ends: the foot of the ball at impact lies between them, 0 ≤ s ≤ 1."
+			"As before: an infinite line with one good side. A ball from behind passes."
+		),
+		LabText.translate("Turn n to the ball's side: now both sides work. Still infinite."),
+		LabText.translate(
+			"With ends: at the touch, the ball's centre F must be beside the line, 0 ≤ s ≤ 1."
 		),
 		LabText.translate("Round caps: the ball touches an end when its centre is r away."),
 		LabText.translate("|d + t v| = r, squared, is a quadratic: a t² + b t + c = 0."),
-		LabText.translate("D < 0: no touch. Else t₁ is the first touch; it counts if in 0..1."),
-		LabText.translate("n points from the end to the centre. Reflect v on it as ever."),
+		LabText.translate("D < 0: no touch. Else t₁ is the first touch; it counts within 0..1."),
+		LabText.translate("n points from the end to the ball's centre. Reflect v on it as before."),
+	]
+
+
+## What is asked before the round caps, translated.
+static func question_on_end() -> String:
+	return LabText.translate("The line ends, but the ball is wide. Does it touch an end?")
+
+
+## The answers to [method question_on_end], translated.
+static func choices_on_end() -> PackedStringArray:
+	return [LabText.translate("it touches an end"), LabText.translate("it passes")]
+
+
+## What is asked before the bounce, translated.
+static func question_on_normal() -> String:
+	return LabText.translate("The ball touches the end. Which way does its normal n point?")
+
+
+## The answers to [method question_on_normal]; the first is right.
+static func choices_on_normal() -> PackedStringArray:
+	return [
+		LabText.translate("from the end to the ball's centre"),
+		LabText.translate("perpendicular to the line"),
+		LabText.translate("against v")
 	]
 
 
@@ -80,7 +106,7 @@ static func _of_result(result: LineEndsModel.Result) -> String:
 		LineEndsModel.Result.PASSES_THROUGH:
 			return LabText.translate("passes through from behind")
 		LineEndsModel.Result.CUTS_THROUGH_THE_END:
-			return LabText.translate("passes beside, cuts the end")
+			return LabText.translate("misses the line, cuts through its end")
 	return _of_miss(result)
 
 

@@ -91,6 +91,21 @@ func test_stability_says_so_when_no_case_fits() -> void:
 	assert_string_contains(lab.last_line(), "no case has 'not_there' in its title")
 
 
+func test_true_prints_what_a_lesson_says_that_is_false() -> void:
+	var lab := LabCommand.run("res://", ["true", "error_and_time", "--states", "2", "--seed", "3"])
+	assert_eq(lab.exit_code, 0)
+	assert_string_contains(lab.last_line(), "error_and_time: 0 kinds of false lines in 6 formulas")
+
+
+func test_true_refuses_another_lesson_or_number() -> void:
+	var lab := LabCommand.run("res://", ["true", "not_there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "there is no lesson 'not_there'; there are: ")
+	lab = LabCommand.run("res://", ["true", "--states", "0"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "--states must be a whole number from 1 to 999999")
+
+
 func test_an_unknown_option_of_stability_is_refused() -> void:
 	var lab := LabCommand.run("res://", ["stability", "--fast"])
 	assert_eq(lab.exit_code, 2)

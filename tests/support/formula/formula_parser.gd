@@ -64,6 +64,15 @@ static func read(text: String, least_digits: int = _LEAST_DIGITS) -> Array[Formu
 	return statements
 
 
+## The number that [param text] shows.
+static func number(text: String) -> FormulaNode:
+	var parser := FormulaParser.new()
+	var node := parser._number(text.trim_prefix("−").trim_prefix("-"))
+	if text[0] in ["−", "-"]:
+		node.number = -node.number
+	return node
+
+
 func _read_statement() -> void:
 	while true:
 		_skip_words()

@@ -9,6 +9,8 @@ var words: PackedStringArray = []
 var not_shown: PackedStringArray = []
 ## Symbols that stand for another expression: `x` for `v.x`.
 var meanings: Dictionary[String, String] = {}
+## The lines are code, which [CodeReader] runs, and no formulas.
+var is_code := false
 ## How many digits the numbers of this formula have at least.
 var digits := 4
 
@@ -25,5 +27,6 @@ static func of(members: Dictionary) -> FormulaWords:
 	new_words.not_shown = PackedStringArray(symbols)
 	var meanings_of: Dictionary = members.get("meanings", {})
 	new_words.meanings.assign(meanings_of)
+	new_words.is_code = members.get("is_code", false)
 	new_words.digits = members.get("digits", 4)
 	return new_words

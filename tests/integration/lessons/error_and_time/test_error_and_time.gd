@@ -59,6 +59,8 @@ func test_what_is_said_of_each_point_is_true_in_several_problems() -> void:
 			var fastest: float = there.map(_time_of).min()
 			var times := NumberText.short(there[place].run_time_us / fastest, 3)
 			assert_eq(_readout_text(3, 3), times, title)
+			var judge := LessonJudge.of(&"error_and_time")
+			assert_eq(judge.problem(SeenLesson.of(frame())), "", title)
 		assert_eq(_model().rank_of_closest(), _rank_of_closest(there), "problem %d" % problem)
 
 

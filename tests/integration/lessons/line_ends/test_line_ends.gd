@@ -16,8 +16,8 @@ func before_each() -> void:
 func test_at_the_start_each_field_says_what_happens_in_it() -> void:
 	assert_eq(_words("InfiniteOneSided"), "passes through from behind")
 	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.198")
-	assert_eq(_words("SegmentOneSided"), "passes beside, cuts the end")
-	assert_eq(_words("SegmentTwoSided"), "passes beside, cuts the end")
+	assert_eq(_words("SegmentOneSided"), "misses the line, cuts through its end")
+	assert_eq(_words("SegmentTwoSided"), "misses the line, cuts through its end")
 	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
 
 
@@ -116,7 +116,7 @@ func test_the_steps_bring_one_kind_of_line_after_the_other() -> void:
 func test_the_graph_and_the_roots_come_with_their_steps() -> void:
 	await student.press(&"lab_previous_step")
 	assert_true(_part("Second").visible)
-	assert_has(_formula_lines(), "t₁ = (−b − √D) / 2a = (436 − 144) / 584 = 0.5")
+	assert_has(_formula_lines(), "t₁ = (−b − √D) / (2 a) = (436 − 144) / 584 = 0.5")
 	await student.press(&"lab_previous_step")
 	assert_false(_part("First").visible)
 	assert_true((frame().lesson.find_child("Graph") as Control).visible)
@@ -124,8 +124,33 @@ func test_the_graph_and_the_roots_come_with_their_steps() -> void:
 	assert_false((frame().lesson.find_child("Graph") as Control).visible)
 
 
+func test_the_field_of_the_step_is_the_largest_one() -> void:
+	var active: Dictionary[int, String] = {
+		1: "InfiniteTwoSided", 2: "SegmentTwoSided", 4: "RoundCaps"
+	}
+	for step in active:
+		await go_to_step(step)
+		for field_name: String in _SMALL_FIELDS:
+			if field_name != active[step] and _field(field_name).visible:
+				assert_gt(_field(active[step]).size.x, _field(field_name).size.x * 1.2, field_name)
+
+
+func test_the_normal_is_asked_for_before_the_bounce() -> void:
+	await go_to_step(LineEndsTexts.Step.ROOTS)
+	await student.press(&"lab_next_step")
+	await click_button("perpendicular to the line")
+	assert_reads("it is from the end to the ball's centre")
+	assert_has(_formula_lines(), "n = (P + t₁ v − A) / r = (−0.8, −0.6)")
+
+
+func test_a_ball_that_overlaps_the_end_takes_its_normal_at_the_start() -> void:
+	await click_button("Overlap")
+	assert_has(_formula_lines(), "n = d / |d| = (−0.7071, −0.7071)")
+
+
 func test_a_near_miss_says_that_there_is_no_root() -> void:
 	await click_button("Miss")
+	await go_to_step(LineEndsTexts.Step.ROOTS)
 	assert_has(_formula_lines(), "D < 0: no root. This end is not touched.")
 	assert_false(_part("First").visible)
 
