@@ -122,6 +122,26 @@ func test_in_a_frame_without_a_hit_the_card_names_no_mistake() -> void:
 	assert_reads("Frame -1:\nboth balls are in one place")
 
 
+# What is true of a ball does not depend on the frame in which it is shown.
+func test_each_frame_says_of_its_ball_what_frame_0_says_of_the_same_ball() -> void:
+	for tilt: String in ["0°", "30°", "−45°"]:
+		await click_button(tilt)
+		var first: Dictionary = frame().lesson.state()
+		for step: int in [0, 1, 2, 3]:
+			await go_to_step(step)
+			for in_frame: int in 9:
+				await click_button("One frame on")
+				var ball := _ball_shown()
+				var said := _said()
+				var same := first.duplicate()
+				same["ball"] = ball
+				frame().lesson.show_state(same)
+				assert_eq(_said(), said, "%s, step %d, %s" % [tilt, step + 1, ball])
+				frame().lesson.show_state(first)
+				for i: int in in_frame + 1:
+					(frame().lesson.services[&"transport"] as Transport).advanced.emit(1.0 / 60.0)
+
+
 func test_behind_a_tilted_line_the_easy_distance_is_too_far_by_a_size() -> void:
 	await click_button("30°")
 	await student.enter(field("y of the ball"), "120")
@@ -282,3 +302,19 @@ func _is_on_its_way() -> bool:
 	var ball := numbers("ball")
 	var share := (4.0 - ball[1]) / 48.0
 	return share >= 0.0 and share < 0.5 and absf(ball[0] + 20.0 * share) < 0.02
+
+
+func _ball_shown() -> PackedFloat64Array:
+	var ball: PackedFloat64Array = []
+	for title: String in ["x of the ball", "y of the ball", "x of v", "y of v"]:
+		ball.append(field(title).text.to_float())
+	ball.append(60.0)
+	return ball
+
+
+# The sentence, the card, and the formula below the line that names the frame.
+func _said() -> PackedStringArray:
+	var said := formula_lines().slice(2)
+	said.append((frame().lesson.get_node("%Verdict/%Words") as Label).text)
+	said.append((frame().lesson.services[&"steps"].get_node("%Sentence") as Label).text)
+	return said
