@@ -9,7 +9,7 @@ func before_each() -> void:
 
 
 func test_it_starts_with_a_free_ball_and_its_distance() -> void:
-	assert_reads("Free: a gap of 70 px")
+	assert_reads("Free: gap 70 px")
 	assert_has(formula_lines(), "d · n̂ = 200·0.6 + 25·(−0.8) = 100")
 	assert_eq(readout_text(1, 1), "100")
 	assert_eq(readout_text(2, 1), "100")
@@ -38,13 +38,13 @@ func test_arrow_keys_slide_p() -> void:
 func test_the_ball_is_dragged_by_any_point_inside_its_rim() -> void:
 	await drag(Vec2.new(135, -50), Vec2.new(90, 10))
 	assert_eq(_ball(), PackedFloat64Array([75, 25, 30]))
-	assert_reads("Too close by 5 px")
+	assert_reads("Too close: gap −5 px")
 
 
 func test_a_ball_behind_the_line_says_so() -> void:
 	await drag(Vec2.new(120, -35), Vec2.new(25, 95))
 	assert_reads("Behind the line")
-	assert_reads("the distance is negative here")
+	assert_reads("d · n̂ is negative on this side")
 
 
 func test_a_left_click_puts_the_ball_and_a_right_click_p() -> void:
@@ -118,7 +118,7 @@ func test_undo_redo_and_reset() -> void:
 	assert_eq(_ball(), PackedFloat64Array([75, 25, 30]))
 	await student.press(&"lab_reset")
 	assert_eq(_ball(), PackedFloat64Array([120, -35, 30]))
-	assert_reads("Free: a gap of 70 px")
+	assert_reads("Free: gap 70 px")
 
 
 func test_steps_build_the_formula_up_and_back() -> void:
@@ -126,37 +126,49 @@ func test_steps_build_the_formula_up_and_back() -> void:
 	for left: int in [6, 5, 4, 3]:
 		await student.press(&"lab_previous_step")
 		assert_eq(formula_lines().size(), left)
-	assert_reads("d leads from a point p of the line")
+	assert_reads("d leads from p, a point of the line")
 	await student.press(&"lab_next_step")
 	assert_eq(formula_lines().size(), 4)
 
 
 func test_steps_build_the_drawing_up() -> void:
-	for i: int in 4:
-		await student.press(&"lab_previous_step")
+	await go_to_step(0)
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, false, false, false])
 	await student.press(&"lab_next_step")
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, false, false])
-	await student.press(&"lab_next_step")
+	await go_to_step(LineDistanceTexts.Step.DISTANCE)
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, true, false])
-	await student.press(&"lab_next_step")
+	await go_to_step(LineDistanceTexts.Step.GAP)
 	assert_eq(seen(["%Difference", "%Normal", "%Shadow", "%Gap"]), [true, true, true, true])
+
+
+func test_the_foot_and_the_gap_are_asked_for_before_they_are_shown() -> void:
+	await go_to_step(LineDistanceTexts.Step.NORMAL)
+	await student.press(&"lab_next_step")
+	assert_eq(seen(["%Guess", "%Shadow"]), [true, false])
+	await drag(Vec2.new(-80, -60), Vec2.new(60, 45))
+	await student.press(&"lab_next_step")
+	assert_reads("Exactly.")
+	await student.press(&"lab_next_step")
+	await click_button("free")
+	assert_reads("Right")
+	assert_reads("Free: gap 70 px")
 
 
 func test_beside_the_end_both_distances_are_shown() -> void:
 	await click_button("Past the end")
-	assert_reads("Too close by 5 px")
-	assert_reads("beside the end: gap to the segment 35 px")
+	assert_reads("Too close: gap −5 px")
+	assert_reads("but the gap to the segment is 35 px")
 	assert_has(formula_lines(), "to the segment: |c − (200, 150)| = 65")
 	assert_eq(seen(["%ToSegment"]), [true])
 
 
 func test_each_preset_can_be_set_up() -> void:
 	var gaps: Dictionary[String, String] = {
-		"Too close": "Too close by 5 px",
-		"Behind": "Behind the line: 90 px too far",
-		"Far p": "Free: a gap of 70 px",
-		"Free": "Free: a gap of 70 px",
+		"Too close": "Too close: gap −5 px",
+		"Behind": "Behind the line: gap −90 px",
+		"Far p": "Free: gap 70 px",
+		"Free": "Free: gap 70 px",
 	}
 	for title in gaps:
 		await click_button(title)
@@ -165,13 +177,13 @@ func test_each_preset_can_be_set_up() -> void:
 
 func test_each_mistake_shows_its_wrong_distance_beside_the_right_one() -> void:
 	var wrong: Dictionary[String, String] = {
-		"Part 2": "straight up 125", "Mistake 9": "= −100", "Mistake 10": "= 50000"
+		"Part 2": "= 125", "Mistake 9": "= −100", "Mistake 10": "= 50000"
 	}
 	for heading in wrong:
 		await pick_mistake(heading)
 		assert_string_ends_with(formula_lines()[-1], wrong[heading])
 		assert_has(formula_lines(), "d · n̂ = 200·0.6 + 25·(−0.8) = 100")
-		assert_reads("Caught by test_line_distance.test_")
+		assert_reads("The test ")
 		assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [true, true, true])
 	await pick_mistake("No mistake")
 	assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [false, false, false])
@@ -188,7 +200,7 @@ func test_a_mistake_can_be_undone() -> void:
 	await student.press(&"lab_undo")
 	var mistake: int = frame().lesson.state()["mistake"]
 	assert_eq(mistake, 0)
-	assert_does_not_read("Caught by")
+	assert_does_not_read("The test ")
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:
