@@ -44,7 +44,10 @@ var _number_finder := RegEx.create_from_string("%s\\.\\.%s|\\(%s\\)|%s".replace(
 func _init(frame: LessonFrame) -> void:
 	_frame = frame
 	var words := LessonWords.of(frame.lesson_info.id)
-	_reader = CodeReader.new() if words.is_code else FormulaReader.new(words)
+	if words.is_code:
+		_reader = CodeReader.new()
+	else:
+		_reader = FormulaReader.new(words)
 	_judge = LessonJudge.of(frame.lesson_info.id)
 
 

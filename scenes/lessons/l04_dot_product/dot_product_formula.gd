@@ -32,8 +32,8 @@ const _ANGLE_LINES: Array[String] = [
 	"{v} · {e} = cos φ = {cosine}",
 ]
 const _PRIMITIVE_LINES: Array[String] = [
-	"{u_angle} = atan2{u_yx} = {u_degrees}°",
-	"{w_angle} = atan2{w_yx} = {w_degrees}°",
+	"{u_angle} = atan2({u_y}, {u_x}) = {u_degrees}°",
+	"{w_angle} = atan2({w_y}, {w_x}) = {w_degrees}°",
 	"φ = {u_angle} − {w_angle} = {phi}°",
 	"|{u}| cos φ = {u_length}·cos {phi}° = {primitive}",
 ]
@@ -111,7 +111,8 @@ func _put_shadow(model: DotProductModel) -> void:
 	var size := model.shadowed().length() * model.onto().length()
 	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	_formula.put_vector("rejection", model.rejection(), Palette.Role.REST)
+	var parts := model.shadowed().length() + model.vector_projection().length()
+	_formula.put_vector_sum("rejection", model.rejection(), parts, Palette.Role.REST)
 	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
 
 
@@ -124,12 +125,12 @@ func _put_angles(model: DotProductModel) -> void:
 	_formula.put_symbol("u_angle", "β" if model.is_swapped else "α", role_of_u)
 	_formula.put_symbol("w_angle", "α" if model.is_swapped else "β", role_of_w)
 	_formula.put_number("u_length", model.shadowed().length(), role_of_u)
-	_formula.put_vector("u_yx", Vec2.new(model.shadowed().y, model.shadowed().x), role_of_u)
-	_formula.put_vector("w_yx", Vec2.new(model.onto().y, model.onto().x), role_of_w)
 	_formula.put_number("u_degrees", of_u, role_of_u)
 	_formula.put_number("w_degrees", of_w, role_of_w)
 	_formula.put_number("angle", model.angle_degrees(), Palette.Role.INK)
-	_formula.put_number("phi", of_u - of_w, Palette.Role.INK)
+	_formula.put_sum("phi", of_u - of_w, absf(of_u) + absf(of_w), Palette.Role.INK)
 	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
 	var primitive := PrimitiveProjection.scalar(model.shadowed(), model.onto())
-	_formula.put_number("primitive", primitive, Palette.Role.PROJECTION)
+	# The angles are rounded, too: that counts several times as much as a sum would.
+	var size := 8.0 * model.shadowed().length()
+	_formula.put_sum("primitive", primitive, size, Palette.Role.PROJECTION)

@@ -48,11 +48,8 @@ static func sentences(model: DotProductModel) -> PackedStringArray:
 ## What is asked before the shadow is shown, translated.
 static func question(model: DotProductModel) -> String:
 	return _with_letters(
-		(
-			LabText
-			. translate(
-				"Light falls straight onto {w}. Where does the shadow of {u} end? Drag the “?” there, then step forward."
-			)
+		LabText.translate(
+			"Light falls straight onto {w}. Where does the shadow of {u} end? Drag the “?” there."
 		),
 		model
 	)

@@ -41,8 +41,8 @@ func _init(kind: Kind, coming: Vec2, line: Vec2, with_bounciness: float) -> void
 ## A question with numbers drawn from [param rng]; the ball never flies along the line, nor straight
 ## at it.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ReflectionExercise:
-	var drawn := _LINES[rng.randi_range(0, _LINES.size() - 1)]
-	var line := Vec2.new(drawn.x, drawn.y)
+	var direction := _LINES[rng.randi_range(0, _LINES.size() - 1)]
+	var line := Vec2.new(direction.x, direction.y)
 	var across := Vec2.new(-line.y, line.x)
 	# Even, so that half of it is whole; never as long as the part along the line.
 	var coming := line.scaled(_STRETCHES[rng.randi_range(0, _STRETCHES.size() - 1)])

@@ -109,8 +109,8 @@ func _lay_arc(model: MoreDimensionsModel, step: int) -> void:
 					model.a[axis] / model.length_of_a() * (1.0 - share)
 					+ model.b[axis] / model.length_of_b() * share
 				)
-			var size := maxf(ComponentLists.length(mixed), 1e-300)
-			var seen := model.view.seen_at(mixed[0] / size, mixed[1] / size, mixed[2] / size)
+			var length := maxf(ComponentLists.length(mixed), 1e-300)
+			var seen := model.view.seen_at(mixed[0] / length, mixed[1] / length, mixed[2] / length)
 			_arc.append(seen.to_vector2() * _ARC_PIXELS)
 	queue_redraw()
 

@@ -59,15 +59,17 @@ func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
 	_put(name_in_line, [vector.x, vector.y], 0.0, role)
 
 
-## A sum of terms whose sizes add up to [param scale], in the color of [param role]. What is left
-## of it by rounding alone is shown as 0. For a sum that the line itself does not show in numbers.
-func put_sum(name_in_line: String, value: float, scale: float, role: Palette.Role) -> void:
-	_put(name_in_line, [value], scale, role)
+## A sum of terms whose sizes add up to [param size_of_terms], in the color of [param role]. What is
+## left of it by rounding alone is shown as 0. For a sum that the line itself does not show in numbers.
+func put_sum(name_in_line: String, value: float, size_of_terms: float, role: Palette.Role) -> void:
+	_put(name_in_line, [value], size_of_terms, role)
 
 
 ## The same for a pair, such as a difference of vectors.
-func put_vector_sum(name_in_line: String, vector: Vec2, scale: float, role: Palette.Role) -> void:
-	_put(name_in_line, [vector.x, vector.y], scale, role)
+func put_vector_sum(
+	name_in_line: String, vector: Vec2, size_of_terms: float, role: Palette.Role
+) -> void:
+	_put(name_in_line, [vector.x, vector.y], size_of_terms, role)
 
 
 ## A text, translated, in the color of [param role].
@@ -87,14 +89,14 @@ func show_lines(lines: PackedStringArray) -> void:
 
 
 func _put(
-	name_in_line: String, components: PackedFloat64Array, scale: float, role: Palette.Role
+	name_in_line: String, components: PackedFloat64Array, size_of_terms: float, role: Palette.Role
 ) -> void:
 	_set_role(name_in_line, role)
 	if not _numbers.has(name_in_line):
 		_numbers[name_in_line] = FormulaStatement.Number.new()
 	var number := _numbers[name_in_line]
 	number.components = components
-	number.scale = scale
+	number.scale = size_of_terms
 	number.is_typed = _titles.has(name_in_line)
 
 

@@ -240,18 +240,18 @@ static func _value(expression: Expression, inputs: Array[float]) -> float:
 
 # A number that is alone, or a pair, needs no parentheses around a minus sign.
 static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alone: bool) -> String:
-	var texts: PackedStringArray = []
+	var parts: PackedStringArray = []
 	var rounding := 0.0
 	for component in number.components.size():
 		var value := number.components[component]
 		if _is_rounding(value, terms[component]):
 			rounding = maxf(rounding, absf(value))
 			value = 0.0
-		texts.append(NumberText.short(value, digits))
-	var text := texts[0] if texts.size() == 1 else "(%s)" % ", ".join(texts)
+		parts.append(NumberText.short(value, digits))
+	var text := parts[0] if parts.size() == 1 else "(%s)" % ", ".join(parts)
 	if rounding > 0.0 and is_alone:
 		text += " " + LabText.translate("(rounding: %s)") % NumberText.size(rounding)
-	elif texts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:
+	elif parts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:
 		text = "(%s)" % text
 	return text
 
