@@ -7,14 +7,9 @@ const _TRUE: Array[StringName] = [
 	&"class_or_value",
 	&"easy_bounce",
 	&"normals",
-	&"dot_product",
 	&"projection_proof",
-	&"line_distance",
-	&"point_of_impact",
 	&"reflection",
 	&"angled_lines",
-	&"line_ends",
-	&"more_dimensions",
 	&"error_and_time",
 ]
 const _STATES := 200
