@@ -2,19 +2,6 @@ extends ScreenTest
 ## With the numbers that it shows, each line of each formula gives what it says, in 200 states of
 ## the lesson and at each of its steps. `./lab true` looks at more states, and at other lessons.
 
-<<<<<<< HEAD
-=======
-## The lessons whose lines are all true. The others are being mended; then this list goes.
-const _TRUE: Array[StringName] = [
-	&"class_or_value",
-	&"easy_bounce",
-	&"normals",
-	&"projection_proof",
-	&"reflection",
-	&"angled_lines",
-	&"error_and_time",
-]
->>>>>>> truth
 const _STATES := 200
 const _SEED := 7
 
