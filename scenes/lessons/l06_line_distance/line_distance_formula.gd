@@ -8,7 +8,7 @@ const _LAST_STEP_WITH_MISTAKE := 2
 const _WRONG_LINES: Dictionary[int, String] = {
 	LineDistanceMistakes.NOT_UNIT:
 	"{wrong}: {d} · (−y, x) = {dx}·{minus_ly} + {dy}·{lx} = {wrong_distance}",
-	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = −({distance}) = {wrong_distance}",
+	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = −{distance} = {wrong_distance}",
 	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: y of the line − y of c = {wrong_distance}",
 }
 
@@ -25,7 +25,7 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_put_symbols()
 	_put_what_is_typed(model)
 	# d is the difference of c and p: what rounding leaves of it grows with both.
-	var scale := model.ball.position.length() + model.from().length()
+	var scale := 4.0 * (model.ball.position.length() + model.from().length())
 	_put_vectors(model.line.along(), model.difference(), model.line.normal(), scale)
 	_put_distances(model, scale)
 	_formula.show_lines(_lines(model, step))

@@ -100,12 +100,15 @@ func _put_what_is_typed(model: PointOfImpactModel) -> void:
 
 
 func _put_distances(model: PointOfImpactModel) -> void:
-	_formula.put_number("old_distance", model.old_distance(), Palette.Role.INK)
-	_formula.put_number("new_distance", model.new_distance(), Palette.Role.INK)
+	# Distances are differences of places: what rounding leaves of them grows with those.
+	var scale := 4.0 * (model.line.start.length() + model.radius)
+	scale += 4.0 * (model.old_position.length() + model.new_position.length())
+	_formula.put_sum("old_distance", model.old_distance(), scale, Palette.Role.INK)
+	_formula.put_sum("new_distance", model.new_distance(), scale, Palette.Role.INK)
 	_formula.put_number("r_value", model.radius, Palette.Role.INK)
-	_formula.put_number("a", model.way_to_contact(), Palette.Role.A)
-	_formula.put_number("b", model.way_of_frame(), Palette.Role.B)
-	_formula.put_number("t", model.fraction(), Palette.Role.INK)
+	_formula.put_sum("a", model.way_to_contact(), scale, Palette.Role.A)
+	_formula.put_sum("b", model.way_of_frame(), scale, Palette.Role.B)
+	_formula.put_sum("t", model.fraction(), scale / absf(model.way_of_frame()), Palette.Role.INK)
 	_formula.put_number("wrong_t", model.fraction_with_mistake(), Palette.Role.WRONG)
 
 

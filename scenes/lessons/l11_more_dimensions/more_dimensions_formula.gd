@@ -19,11 +19,11 @@ func show_model(model: MoreDimensionsModel, step: int) -> void:
 	_formula.put_symbol("b", "b", Palette.Role.B)
 	for i in model.dimension():
 		_put_component(i + 1, model.a[i], model.b[i])
-	_formula.put_number("dot", model.dot(), Palette.Role.INK)
+	_formula.put_sum("dot", model.dot(), model.size_of_products(), Palette.Role.INK)
 	_formula.put_text("sign", MoreDimensionsTexts.comparison(model), Palette.Role.INK)
 	_formula.put_number("length_a", model.length_of_a(), Palette.Role.A)
 	_formula.put_number("length_b", model.length_of_b(), Palette.Role.B)
-	_formula.put_number("cosine", model.cosine(), Palette.Role.INK)
+	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
 	_formula.put_text("angle", _angle_text(model), Palette.Role.INK)
 	_formula.show_lines(_lines(model, step))
 
