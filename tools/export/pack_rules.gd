@@ -14,8 +14,9 @@ const VECTOR_LESSONS: PackedStringArray = [
 	"reflection",
 	"more_dimensions",
 ]
-## In bytes.
-const VECTOR_LESSON_LIMIT := 150_000
+## In bytes. It was 150 000 until lessons moved by themselves, asked before they answer and chose the
+## digits of their formulas: that costs each demo about 20 KB, of which 12 KB were saved elsewhere.
+const VECTOR_LESSON_LIMIT := 165_000
 const LESSON_LIMIT := 400_000
 
 const _IN_NO_PACK: PackedStringArray = ["addons", "benchmarks", "docs", "tests", "tools"]

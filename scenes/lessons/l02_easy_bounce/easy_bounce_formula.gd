@@ -125,7 +125,8 @@ func _put_ball() -> void:
 	_formula.put_number(
 		"tilt", _model.tilt_degrees, Palette.Role.INK, tr("Tilt of the line in degrees")
 	)
-	_formula.put_number("frame", _model.frame(), Palette.Role.INK)
+	# No answer, so it is not hidden with them.
+	_formula.put_text("frame", NumberText.short(_model.frame()), Palette.Role.INK)
 
 
 func _put_easy() -> void:

@@ -210,11 +210,11 @@ func is_rounding(difference: float, moved: Ball) -> bool:
 ## The tilt of the line when its start or, with [param is_start] false, its end is dragged to
 ## [param point]: whole degrees, within -STEEPEST..STEEPEST.
 func tilt_toward(point: Vec2, is_start: bool) -> float:
-	var from_pivot := point.minus(pivot)
+	var direction := point.minus(pivot)
 	if is_start:
-		from_pivot.scale(-1.0)
+		direction.scale(-1.0)
 	var level := Vec2.unit_degrees(90.0 if is_wall else 180.0)
-	var degrees := roundf(Vec2.rad_to_deg(level.angle_to(from_pivot)))
+	var degrees := roundf(Vec2.rad_to_deg(level.angle_to(direction)))
 	return clampf(degrees, -STEEPEST, STEEPEST)
 
 

@@ -1,6 +1,6 @@
 class_name NormalByFormula
 ## The unit normal by the bare formula (-y, x) / |v|, as fast as it can be. [method Vec2.normal]
-## does it for vectors of any size, too, whose squares may leave the range of a double.
+## does the same for vectors of any size.
 
 
 ## (-y, x) divided by the length of [param v]; zero for a zero v.

@@ -85,13 +85,23 @@ func dot(other: FormulaValue) -> FormulaValue:
 	return sum
 
 
-## Each component divided by the number [param divisor], which is not 0.
+## Each component divided by the number [param divisor], which is not 0 but may come near it.
 func divided(divisor: FormulaValue) -> FormulaValue:
-	if divisor.low[0] <= 0.0 and divisor.high[0] >= 0.0:
-		return scaled(between(-INF, INF, INF))
-	if divisor.low[0] == divisor.high[0]:
-		return _divided_by_number(divisor.low[0])
-	return scaled(divisor.mapped(func(x: float) -> float: return 1.0 / x))
+	var quotient := _like(self)
+	var is_near_zero := divisor.low[0] <= 0.0 and divisor.high[0] >= 0.0
+	for i in count():
+		var terms := size[i] / absf(divisor.middle()) if divisor.middle() != 0.0 else 0.0
+		if is_near_zero:
+			quotient._append(-INF, INF, terms)
+			continue
+		var ends: PackedFloat64Array = [
+			low[i] / divisor.low[0],
+			low[i] / divisor.high[0],
+			high[i] / divisor.low[0],
+			high[i] / divisor.high[0]
+		]
+		quotient._append_range(ends, terms)
+	return quotient
 
 
 ## The number times itself, or the list's dot product with itself.
@@ -122,14 +132,6 @@ func mapped(function: Callable) -> FormulaValue:
 	var value := FormulaValue.new()
 	value._append_range([one, other], maxf(absf(one), absf(other)))
 	return value
-
-
-# Division and not a product with 1 / number, which would be rounded once more.
-func _divided_by_number(number: float) -> FormulaValue:
-	var quotient := _like(self)
-	for i in count():
-		quotient._append_range([low[i] / number, high[i] / number], size[i] / absf(number))
-	return quotient
 
 
 # The least size that a component can have.

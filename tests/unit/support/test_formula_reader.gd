@@ -27,6 +27,7 @@ const _HOLDS: Array[Array] = [
 	["t = 1 / 3 = 0.3333"],
 	["t = 2000 / 3 = 666.7"],
 	["|c| = ∞"],
+	["A = (1, 2)   B = (1.0001, 2)   F = (3, 5)", "s = (F − A) · (B − A) / |B − A|² = 20000"],
 ]
 ## A line that does not hold, and a part of what is said of it.
 const _DOES_NOT: Dictionary[String, String] = {

@@ -132,7 +132,7 @@ func test_the_question_takes_the_right_answer_and_names_the_mistakes() -> void:
 		LineDistanceExercise.Kind.DISTANCE, line, Ball.new(Vec2.new(5, -5), 2)
 	)
 	assert_true(exercise.check([7.0]).is_right)
-	assert_string_contains(exercise.check([35.0]).sentence, "5 times too far")
+	assert_string_contains(exercise.check([35.0]).sentence, "5 times the distance")
 	assert_string_contains(exercise.check([-7.0]).sentence, "(−y, x)")
 	assert_string_contains(exercise.check([8.75]).sentence, "straight up")
 	assert_string_contains(exercise.check([5.4]).sentence, "not it yet")
