@@ -63,6 +63,9 @@ func test_n_and_the_page_keys_step_the_explanation_and_leave_time_alone() -> voi
 		var steps := frame().lesson.services[&"steps"] as Steps
 		steps.go_to(1)
 		await student.press_key(KEY_N)
+		# A question may come before the step.
+		if frame().lesson.step == 1:
+			await student.press_key(KEY_N)
 		assert_eq(frame().lesson.step, 2, lesson.id)
 		await student.press_key(KEY_N, true)
 		assert_eq(frame().lesson.step, 1, lesson.id)

@@ -39,6 +39,7 @@ func test_in_a_language_from_right_to_left_formulas_still_run_from_left_to_right
 	TranslationServer.add_translation(_translation)
 	TranslationServer.set_locale("he_IL")
 	await open_lesson(LessonIndex.find(&"dot_product"))
+	await go_to_step()
 	assert_eq(TranslationServer.get_locale(), "he_IL")
 	assert_false(screen().is_layout_rtl())
 	for service: StringName in [&"formula", &"readout"]:

@@ -43,6 +43,14 @@ func test_a_lesson_needs_its_scene_and_its_services() -> void:
 		assert_does_not_have(files, lesson.card_path())
 
 
+func test_only_a_lesson_with_a_guess_in_its_scene_needs_the_guess() -> void:
+	var guess := "res://scenes/widgets/board/guess.gd"
+	for lesson: LessonInfo in LessonIndex.lessons():
+		var scene := FileAccess.get_file_as_string(lesson.scene_path())
+		var files := NeededFiles.new([lesson.resource_path]).files
+		assert_eq(guess in files, scene.contains(guess), lesson.id)
+
+
 func test_a_demo_has_the_lesson_the_theme_and_no_start_screen() -> void:
 	for demo: String in LessonIndex.ids():
 		var needed := Demos.needed_by(demo)
