@@ -2,7 +2,7 @@ extends Lesson
 ## The lesson on objects and values: two names for one Vec2 beside two copies of a Vector2.
 ##
 ## The arrows Position and Value of the scene begin at the origins of the two fields. The head of
-## Position is where the lesson starts; the head of OldValue is the place that was kept before.
+## Position is the first place of both.
 
 ## The opening moves both this far sideways, in units, and so often in 20 seconds.
 const _SWAY := 1.5
@@ -11,6 +11,9 @@ const _SWAYS := 4.0
 const _COUNTS: Array[int] = [1000, 1_000_000]
 ## So many digits show that the sums differ.
 const _DIGITS_OF_SUM := 8
+
+## Where the change moves both at the start, in units.
+@export var changed_place := Vector2(4.0, -4.0)
 
 var _model := ClassOrValueModel.new()
 var _formula: ClassOrValueFormula
@@ -29,8 +32,8 @@ var _has_sums := false
 
 
 func start() -> void:
-	var remembered := Vec2.from_vector2(_old_value.head).minus(_right)
-	_model.remember_and_move(remembered, _position.head_point().minus(_left))
+	var first := _position.head_point().minus(_left)
+	_model.remember_and_move(first, Vec2.from_vector2(changed_place))
 	_let_drag(_position, _left)
 	_let_drag(_value, _right)
 	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
