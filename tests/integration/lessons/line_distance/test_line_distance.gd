@@ -181,7 +181,7 @@ func test_each_mistake_shows_its_wrong_distance_beside_the_right_one() -> void:
 	}
 	for heading in wrong:
 		await pick_mistake(heading)
-		assert_string_ends_with(formula_lines()[-1], wrong[heading])
+		assert_true(formula_lines()[-1].ends_with(wrong[heading]), formula_lines()[-1])
 		assert_has(formula_lines(), "d · n̂ = 200·0.6 + 25·(−0.8) = 100")
 		assert_reads("The test ")
 		assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [true, true, true])
