@@ -24,26 +24,26 @@ class Use:
 
 USES = {
     # The tip of position.
-    "class_or_value": Use((295, 282), r"= Vec2\.new\(4, -4\)", r"= Vec2\.new\(2, -4\)", (235, 282)),
+    "class_or_value": Use((235, 312), r"= Vec2\.new\(2, -3\)", r"= Vec2\.new\(0, -3\)", (175, 312)),
     # An end of the floor.
     "easy_bounce": Use((744, 441), r"tilt = 0°", r"tilt = [-−]?[1-9]", (744, 340)),
     # The tip of v.
     "normals": Use((631, 444), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 444)),
     # The tip of a, from (7, 1) to (3, 1).
     "dot_product": Use((695, 399), r"a = \(7, 1\)", r"a = \(3, 1\)", (535, 399)),
-    "projection_proof": Use((639, 391), r"x of a′: 5,", r"x of a′: 1\.8,", (511, 391)),
+    "projection_proof": Use((639, 391), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 391)),
     # The ball, further away.
-    "line_distance": Use((623, 311), r"Free: a gap of 70 px", r"Free: a gap of 94 px", (688, 311)),
+    "line_distance": Use((623, 311), r"c = \(120, -35\)", r"c = \(160, -35\)", (688, 311)),
     # Where the ball is after the frame: further away, so that it touches sooner in it.
-    "point_of_impact": Use((439, 540), r"t = 0\.5, within", r"t = 0\.4\d*, within", (439, 615)),
+    "point_of_impact": Use((439, 540), r"new \(6, 42\)", r"new \(6, [56]\d\)", (439, 615)),
     # Where the ball comes from: v changes from (3, 4) to (4, 4).
-    "reflection": Use((309, 218), r"reflect\(n, C\): \(3, −4\)", r"reflect\(n, C\): \(4, −4\)", (274, 218)),
+    "reflection": Use((309, 218), r"v = \(3, 4\)", r"v = \(4, 4\)", (274, 218)),
     # The next step: before it the lesson asks.
     "angled_lines": Use((1244, 115), r"Drag on the board to draw a line", r"at its next touch\?"),
     # The situation "Miss".
-    "line_ends": Use((1136, 365), r"t, end A: 0\.5,", r"t, end A: none,"),
+    "line_ends": Use((1165, 305), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
     # The first component of a, from 4 to 2.
-    "more_dimensions": Use((459, 136), r"a · b: 18,", r"a · b: 14,", (459, 176)),
+    "more_dimensions": Use((459, 136), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (459, 176)),
     # Stop: it measures by itself.
     "error_and_time": Use((897, 199), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
 }
