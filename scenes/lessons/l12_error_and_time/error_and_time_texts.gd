@@ -18,7 +18,7 @@ static func steps() -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Point at a mark with a line: its slope is the order p. Twice the time: 1/2ᵖ of the error."
+				"Point at a mark with a line: its slope is the order p. With p = 2, twice the time leaves a quarter of the error."
 			)
 		),
 	]
