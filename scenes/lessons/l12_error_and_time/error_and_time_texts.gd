@@ -18,7 +18,7 @@ static func steps() -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Point at a mark with a line: its slope is the order p. With p = 2, twice the time leaves a quarter of the error."
+				"Point at a mark on a line: its slope is the order p. p = 2: twice the time, a quarter the error."
 			)
 		),
 	]
