@@ -18,7 +18,7 @@ static func steps() -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Point at a mark on a line: its slope is the order p. p = 2: twice the time, a quarter the error."
+				"Point at a mark on a line: its slope is the order p. p = 2: twice the time, 1/4 of the error."
 			)
 		),
 	]
