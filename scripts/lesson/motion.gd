@@ -15,9 +15,9 @@ static func is_reduced() -> bool:
 		_choice = FileAccess.get_file_as_string(file)
 	if _choice:
 		return _choice == "reduced"
-	# 1 and 0 are yes and no; -1 where the engine cannot tell.
+	# The engine says 1, or it does not know: then a browser may.
 	var wish := DisplayServer.accessibility_should_reduce_animation()
-	return wish == 1 if wish >= 0 else WebPage.asks_for_reduced_motion()
+	return wish == 1 or WebPage.asks_for_reduced_motion()
 
 
 ## The student has chosen; it is kept for the next time.

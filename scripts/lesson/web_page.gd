@@ -37,8 +37,8 @@ static func follow_fragment(follower: Callable) -> void:
 
 ## Whether the person who uses the browser wants little to move by itself.
 static func asks_for_reduced_motion() -> bool:
-	var question := "window.matchMedia('(prefers-reduced-motion: reduce)').matches"
-	return is_there() and JavaScriptBridge.eval(question) == true
+	var question := "String(window.matchMedia('(prefers-reduced-motion: reduce)').matches)"
+	return is_there() and str(JavaScriptBridge.eval(question)) == "true"
 
 
 ## Gives the page the words that are on the screen, for people who do not see it.
