@@ -8,8 +8,6 @@ from uses import USES
 @pytest.mark.parametrize("lesson", USES)
 def test_a_lesson_starts_and_answers(demo, first_frames, lesson):
     first_frames[lesson] = demo.start(lesson)
-    # What moves by itself at the start ends, and everything is where it began.
-    demo.page.keyboard.press("r")
     use = USES[lesson]
     demo.read(use.before)
     assert demo.text().splitlines()[0] in demo.page.locator("h1").inner_text().replace("\u2002", "  ")

@@ -31,20 +31,20 @@ USES = {
     "normals": Use((631, 444), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 444)),
     # The tip of a, from (7, 1) to (3, 1).
     "dot_product": Use((695, 399), r"a = \(7, 1\)", r"a = \(3, 1\)", (535, 399)),
-    # The next step: before it the lesson asks.
-    "projection_proof": Use((1244, 115), r"Step 1 of 7", r"Where does the head of a go\?"),
+    # The tip of a.
+    "projection_proof": Use((664, 414), r"a = \(7, 1\)", r"a = \(3, 1\)", (530, 414)),
     # The ball, further away.
     "line_distance": Use((623, 311), r"c = \(120, -35\)", r"c = \(160, -35\)", (688, 311)),
     # Where the ball is after the frame: further away, so that it touches sooner in it.
     "point_of_impact": Use((439, 540), r"new \(6, 42\)", r"new \(6, [56]\d\)", (439, 615)),
-    # The next step.
-    "reflection": Use((1244, 115), r"Step 1 of 5", r"Step 2 of 5"),
+    # Where the ball comes from: v changes from (3, 4) to (4, 4).
+    "reflection": Use((330, 249), r"v = \(3, 4\)", r"v = \(4, 4\)", (297, 249)),
     # The next step: before it the lesson asks.
     "angled_lines": Use((1244, 115), r"Drag on the board to draw a line", r"at its next touch\?"),
-    # The next step.
-    "line_ends": Use((1244, 115), r"Step 1 of 7", r"Step 2 of 7"),
-    # The next step.
-    "more_dimensions": Use((1244, 115), r"Step 1 of 5", r"Step 2 of 5"),
-    # Stop: it measures by itself.
-    "error_and_time": Use((897, 199), r"Run \d+ of \d+", r"Stopped after \d+ of \d+ runs"),
+    # The situation "Miss".
+    "line_ends": Use((1172, 331), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
+    # The first component of a, from 4 to 2.
+    "more_dimensions": Use((476, 172), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (476, 210)),
+    # The next step, while it measures by itself: before it the lesson asks.
+    "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
 }
