@@ -15,6 +15,11 @@ extends AcceleratedPointImpactFinder
 
 ## Which part of the segment is touched.
 var feature := Impact.Feature.LINE
+## Whether the cap at the start of the segment is left out, because the ball cannot meet it: it
+## touches something already that is there as well.
+var skips_start := false
+## The same for the cap at its end.
+var skips_end := false
 
 # The segment, and the flight seen from its line: along it and above it, all times its length.
 var _ax := 0.0
@@ -94,6 +99,8 @@ func _meets_at_start() -> bool:
 
 
 func _meets_point_at_start(cx: float, cy: float) -> bool:
+	if skips_start if _along < 0.0 else skips_end:
+		return false
 	if not _starts_inside(cx, cy):
 		return false
 	if (_px - cx) * _vx + (_py - cy) * _vy < 0.0:
@@ -157,6 +164,8 @@ func _meets_between(from: float, to: float, entered_side: float, horizon: float)
 	elif _overlaps:
 		return _meets_after_overlap(to, horizon)
 	var entered := maxf(from, 0.0)
+	if skips_start if along < 0.0 else skips_end:
+		return false
 	if along < 0.0:
 		feature = Impact.Feature.START
 		entered = _near_end(-_along, -_along_speed, -_along_pull, entered, to)
@@ -195,8 +204,8 @@ func _near_end(beyond: float, speed: float, pull: float, from: float, to: float)
 
 # The first return of a ball that overlaps the segment at the start and moves away.
 func _meets_after_overlap(to: float, horizon: float) -> bool:
-	var at_start := _first_return(_ax, _ay, to, -_ex, -_ey)
-	var at_end := _first_return(_bx, _by, to, _ex, _ey)
+	var at_start := INF if skips_start else _first_return(_ax, _ay, to, -_ex, -_ey)
+	var at_end := INF if skips_end else _first_return(_bx, _by, to, _ex, _ey)
 	if at_start <= at_end:
 		feature = Impact.Feature.START
 		return _touches_point_at(at_start, _ax, _ay, horizon)

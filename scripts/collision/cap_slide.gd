@@ -20,6 +20,10 @@ enum Ending { LEAVES, RETURNS, NEVER }
 
 const _EPSILON := 1.0 / 2.0 ** 52
 
+# A ball on its way up that the cap pushes no less than this stays on it, as a share of gravity: it
+# becomes slower at once, and is pressed on the cap then.
+const _LEAST_PUSH := -1e-12
+
 const _MOST_STEPS := 100
 
 ## How the sliding ends.
@@ -116,7 +120,9 @@ func _find_end() -> void:
 	# How hard the cap pushes: the force per unit of mass and of radius.
 	var pressure := _k * cos(_start) - squared_speed
 	var is_climbing := _start < 0.0 and _speed > 0.0
-	if pressure < 0.0 or (pressure == 0.0 and not is_climbing and _k > 0.0):
+	if pressure < (_LEAST_PUSH * _k if is_climbing else 0.0):
+		return
+	if pressure == 0.0 and not is_climbing and _k > 0.0:
 		return
 	# At rest where nothing pulls along the circle.
 	if _speed == 0.0 and (_k == 0.0 or _start == 0.0):

@@ -17,9 +17,14 @@ const REST_HEIGHT := 1e-9
 const REST_GAP := 1e-6
 ## Contacts whose normals differ by less than this, in radians, count as one.
 const LEAST_ANGLE := 1e-6
+## From this bounciness on, bounces would take too long to die down: they are over where they are no
+## higher than [constant LOWEST_HOP].
+const NEARLY_ELASTIC := 0.999
 ## A ball slides on from one segment to the next if they are this near to each other, in pixels, and
 ## this level, in radians.
 const SEAM := 1e-9
+## The next segment must still be below the ball this far beyond the end of the last one, in pixels.
+const AHEAD := 1e-6
 ## A ball whose bounces on a cap are no higher than this, in pixels, slides over it.
 const LOWEST_HOP := 1e-9
 
@@ -32,6 +37,30 @@ func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> v
 		var least := maxf(REST_HOP, REST_TIME * (1.0 - _bounciness))
 		if speed <= 0.5 * pressure * least:
 			_rest(index, surface, speed, pressure)
+		elif _bounciness > NEARLY_ELASTIC and speed * speed <= 2.0 * pressure * LOWEST_HOP:
+			_slide_on(index, surface)
+
+
+# The last hop of a nearly elastic ball is too low to be seen: it slides from now on. With C = 1 it
+# keeps its speed, as on a smooth surface, where a joint of two lines costs nothing.
+func _slide_on(index: int, surface: int) -> void:
+	var event := _begin_event(index)
+	var speed_squared := _squared_speed(index)
+	_put_on(index, surface)
+	var lost := speed_squared - _squared_speed(index)
+	if _bounciness == 1.0 and lost <= LEAST_ANGLE * speed_squared:
+		_keep_speed(index, speed_squared)
+	_end_event(index, surface, event, WorldEvent.Kind.REST)
+
+
+# A unit normal is rounded, and always to the same side for the same line. So the velocity is scaled
+# back to the length that it had: it does not grow or shrink over a million bounces.
+func _keep_speed(index: int, speed_squared: float) -> void:
+	var now := _squared_speed(index)
+	if now > 0.0:
+		var factor := 1.0 + 0.5 * (speed_squared - now) / now
+		_velocity_x[index] *= factor
+		_velocity_y[index] *= factor
 
 
 # Whether a ball that can hardly rise touches a second line or cap, so that both together hold it.
@@ -143,6 +172,7 @@ func _set_free(index: int) -> void:
 	_support[index] = NOTHING
 	_rolled_end[index] = Impact.Feature.LINE
 	_left_surface[index] = NOTHING
+	_left_feature[index] = Impact.Feature.LINE
 	_pull_x[index] = _gravity_x
 	_pull_y[index] = _gravity_y
 
@@ -154,8 +184,11 @@ func _slide_off(index: int) -> void:
 	var old := _support[index]
 	_find_normal(index, old)
 	_set_free(index)
+	var sign_of_end := 1.0 if _touched_feature[index] == Impact.Feature.END else -1.0
+	var ahead_x := sign_of_end * AHEAD * _segments.normal_y(old)
+	var ahead_y := -sign_of_end * AHEAD * _segments.normal_x(old)
 	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
-		if place != old and _goes_on(index, place):
+		if place != old and _goes_on(index, place, _x[index] + ahead_x, _y[index] + ahead_y):
 			_put_on(index, place)
 			return
 	_find_normal(index, old)
@@ -163,25 +196,20 @@ func _slide_off(index: int) -> void:
 	_roll(index, old, _touched_feature[index] as Impact.Feature)
 
 
-# Whether the ball touches the line of this segment, too, moves along it and is pressed on it.
-func _goes_on(index: int, place: int) -> bool:
+# Whether the ball touches the line of this segment, too, moves along it and is pressed on it, and
+# whether it is still over it at (x, y), a little ahead.
+func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	var distance := absf(_segments.signed_distance(place, _x[index], _y[index]))
 	if absf(distance - _radius[index]) > SEAM:
 		return false
 	var slack := SEAM / _segments.length(place)
-	var velocity_x := _velocity_x[index]
-	var velocity_y := _velocity_y[index]
-	# The segment must lie ahead: the ball comes from one of its ends.
-	var ahead := SEAM * signf(velocity_x * velocity_x + velocity_y * velocity_y)
-	var share := _segments.share_of(
-		place, _x[index] + ahead * velocity_x, _y[index] + ahead * velocity_y
-	)
+	var share := _segments.share_of(place, x, y)
 	if share < -slack or share > 1.0 + slack:
 		return false
 	_find_normal(index, place)
 	if _gravity_x * _normal_x + _gravity_y * _normal_y >= 0.0:
 		return false
-	var across := velocity_x * _normal_x + velocity_y * _normal_y
+	var across := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
 	return absf(across) <= SEAM * sqrt(_squared_speed(index))
 
 
@@ -207,12 +235,13 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 		x, y, _x[index], _y[index], _velocity_x[index], _velocity_y[index], _gravity_x, _gravity_y
 	)
 	if problem or slide.end_time == 0.0:
-		_never_come_back(index, place)
+		_fly_off(index, place, feature)
 		return
 	_support[index] = place
 	_rolled_end[index] = feature
-	var normal_x := _segments.normal_x(place)
-	_rolls.begin(index, slide, normal_x, _segments.normal_y(place), time, _time_low)
+	_rolls.begin(index, slide, time, _time_low)
+	for other in _places_at(index, x, y):
+		_rolls.end_at_line(index, _segments.normal_x(other), _segments.normal_y(other))
 	_begin_piece(index, 0.0)
 
 
@@ -250,14 +279,30 @@ func _follow_cap(index: int) -> void:
 # flies.
 func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
 	_set_free(index)
-	if _is_over_line(index, place):
-		_put_on(index, place)
-	elif _rolls.leads_back(index):
+	var x := _segments.end_x(place, feature)
+	var y := _segments.end_y(place, feature)
+	for other in _places_at(index, x, y):
+		if _is_over_line(index, other):
+			_put_on(index, other)
+			return
+	if _rolls.leads_back(index):
 		_roll(index, place, feature)
 	else:
 		_find_cap_normal(index, place, feature)
 		_end_event(index, place, _begin_event(index), WorldEvent.Kind.LEAVE)
-		_never_come_back(index, place)
+		_fly_off(index, place, feature)
+
+
+# The segments that end at this point, below the ball.
+func _places_at(index: int, x: float, y: float) -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
+		for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+			var dx := _segments.end_x(place, feature) - x
+			var dy := _segments.end_y(place, feature) - y
+			if dx * dx + dy * dy <= SEAM * SEAM:
+				found.append(place)
+	return found
 
 
 # Whether the ball is over the line of the segment, and gravity presses it there; finds the normal.
@@ -278,10 +323,10 @@ func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	_normal_y = dy / distance if distance > 0.0 else 0.0
 
 
-# A ball that flies off a cap falls past the segment.
-func _never_come_back(index: int, place: int) -> void:
+# The ball flies off a cap, along the circle about the end of the segment.
+func _fly_off(index: int, place: int, feature: Impact.Feature) -> void:
 	_left_surface[index] = place
-	_left_speed[index] = INF
+	_left_feature[index] = feature
 
 
 # Call it before an event changes the ball; null where events are not kept.

@@ -115,16 +115,6 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	return speed
 
 
-# A unit normal is rounded, and always to the same side for the same line. So the velocity is scaled
-# back to the length that it had: it does not grow or shrink over a million bounces.
-func _keep_speed(index: int, speed_squared: float) -> void:
-	var now := _squared_speed(index)
-	if now > 0.0:
-		var factor := 1.0 + 0.5 * (speed_squared - now) / now
-		_velocity_x[index] *= factor
-		_velocity_y[index] *= factor
-
-
 # Where nothing presses the ball on the surface: see LEAST_SHARE.
 func _lift(index: int, speed: float, speed_squared: float) -> void:
 	var missing := LEAST_SHARE * sqrt(speed_squared) - speed

@@ -53,16 +53,22 @@ func arrays() -> Array[PackedFloat64Array]:
 	return [_start, _start_low, _line_time]
 
 
-## Begins the way [param slide] of a ball at this time of the world. The normal is the one of the
-## segment's line, on either side.
-func begin(
-	ball: int, slide: CapSlide, normal_x: float, normal_y: float, time: float, time_low: float
-) -> void:
+## Begins the way [param slide] of a ball at this time of the world. Add the lines that end at the
+## same point by [method end_at_line].
+func begin(ball: int, slide: CapSlide, time: float, time_low: float) -> void:
 	slides[ball] = slide
 	_start[ball] = time
 	_start_low[ball] = time_low
-	var on_one_side := _time_to_line(slide, -normal_x, -normal_y)
-	_line_time[ball] = minf(on_one_side, _time_to_line(slide, normal_x, normal_y))
+	_line_time[ball] = INF
+
+
+## The way of a ball ends where it comes onto this line, too: it has this normal, to either side. A
+## way that only starts on the line goes on.
+func end_at_line(ball: int, normal_x: float, normal_y: float) -> void:
+	for side: float in [-1.0, 1.0]:
+		var seconds := slides[ball].time_to_direction(side * normal_x, side * normal_y)
+		if seconds > LINE_TIME:
+			_line_time[ball] = minf(_line_time[ball], seconds)
 
 
 ## Seconds since a ball began its way, at this time of the world.
@@ -100,12 +106,6 @@ func begin_piece(ball: int, seconds: float, gravity: float, radius: float) -> vo
 	slide.move_to(seconds + piece_seconds)
 	pull_x = 2.0 * ((slide.position_x - x) / piece_seconds - velocity_x) / piece_seconds
 	pull_y = 2.0 * ((slide.position_y - y) / piece_seconds - velocity_y) / piece_seconds
-
-
-# When the centre is over the line on the side of this normal; INF where it only starts from there.
-func _time_to_line(slide: CapSlide, normal_x: float, normal_y: float) -> float:
-	var seconds := slide.time_to_direction(normal_x, normal_y)
-	return seconds if seconds > LINE_TIME else INF
 
 
 # A flight with the same start, velocity and end as the slide is off it by jerk t³ / 40 at most.

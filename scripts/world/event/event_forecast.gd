@@ -306,8 +306,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 		var skipped := _support[index]
 		if _left_surface[index] >= 0:
 			skipped = _left_surface[index]
-			if _left_speed[index] < INF:
-				_forecast_return(index, skipped)
+			_forecast_return(index, skipped)
+		_tell_contact(index)
 		if _segments.first_accelerated_impact(
 			_x[index],
 			_y[index],
@@ -360,8 +360,29 @@ func _forecast_wall(index: int, wall: int) -> void:
 		_take(seconds, wall, TOUCH)
 
 
+# Tells the segments what the ball touches already: what it lies on, or the end of a segment that it
+# slides round or has slid off.
+func _tell_contact(index: int) -> void:
+	var surface := _support[index]
+	if surface != NOTHING and _rolled_end[index] == Impact.Feature.LINE:
+		_find_normal(index, surface)
+		var x := _x[index] - _radius[index] * _normal_x
+		var y := _y[index] - _radius[index] * _normal_y
+		_segments.lie_on_line(_normal_x, _normal_y, x, y)
+	elif surface != NOTHING:
+		var feature := _rolled_end[index] as Impact.Feature
+		_segments.slide_round(_segments.end_x(surface, feature), _segments.end_y(surface, feature))
+	elif _left_surface[index] >= 0 and _left_feature[index] != Impact.Feature.LINE:
+		var place := _left_surface[index]
+		var feature := _left_feature[index] as Impact.Feature
+		_segments.leave_point(_segments.end_x(place, feature), _segments.end_y(place, feature))
+
+
 # Back to the segment that the ball has left: on its line after 2 v / g, or on one of its caps.
 func _forecast_return(index: int, place: int) -> void:
+	if _left_feature[index] != Impact.Feature.LINE:
+		_forecast_return_to_cap(index, place)
+		return
 	_find_normal(index, place)
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
@@ -376,6 +397,25 @@ func _forecast_return(index: int, place: int) -> void:
 			_take(seconds, place, TOUCH)
 			return
 	_forecast_ends(index, place)
+
+
+# Back to the cap that the ball has slid off. The flight begins along the circle about the end of the
+# segment, with r from there to the ball and v · r = 0. So |r + v t + g t² / 2|² = r² leaves
+# v² + r · g + (v · g) t + g² t² / 4 = 0. A ball that does not climb never comes back.
+func _forecast_return_to_cap(index: int, place: int) -> void:
+	var feature := _left_feature[index] as Impact.Feature
+	var x := _x[index] - _segments.end_x(place, feature)
+	var y := _y[index] - _segments.end_y(place, feature)
+	var growth := _velocity_x[index] * _pull_x[index] + _velocity_y[index] * _pull_y[index]
+	var away := _squared_speed(index) + x * _pull_x[index] + y * _pull_y[index]
+	var bend := 0.25 * (_pull_x[index] * _pull_x[index] + _pull_y[index] * _pull_y[index])
+	var discriminant := growth * growth - 4.0 * bend * away
+	if growth >= 0.0 or discriminant < 0.0:
+		return
+	var seconds := 2.0 * maxf(away, 0.0) / (sqrt(discriminant) - growth)
+	if seconds < _seconds:
+		_touched_feature[index] = feature
+		_take(seconds, place, TOUCH)
 
 
 # The caps of a segment, without its line.

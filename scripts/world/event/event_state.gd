@@ -123,8 +123,10 @@ var _piece: PackedFloat64Array = []
 # The surface that a ball has just left, or NOTHING: it is not searched again, as rounding might
 # find it at once.
 var _left_surface: PackedInt32Array = []
+# What of a segment it has left: Impact.Feature.START or END where it has slid off that cap.
+var _left_feature: PackedInt32Array = []
 # Under gravity: the ball's speed along the normal as it left, in px/s, which tells when it comes
-# back; INF where it never comes back.
+# back.
 var _left_speed: PackedFloat64Array = []
 # The squared speed that a ball without gravity keeps from one elastic bounce to the next, so that
 # rounding does not add up, in (px/s)²; NAN where the speed has changed.
@@ -239,6 +241,10 @@ func position(index: int) -> Vec2:
 
 ## A ball's velocity now, in pixels per second.
 func velocity(index: int) -> Vec2:
+	if _rolled_end[index] != Impact.Feature.LINE:
+		# Exact: the flight that stands for a piece of the way over a cap follows it only in place.
+		_rolls.move_to(index, _rolls.seconds_since(index, time, _time_low))
+		return Vec2.new(_rolls.velocity_x, _rolls.velocity_y)
 	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
 	return Vec2.new(
 		_velocity_x[index] + _pull_x[index] * seconds, _velocity_y[index] + _pull_y[index] * seconds
@@ -337,6 +343,7 @@ func _int_arrays() -> Array[PackedInt32Array]:
 		_support,
 		_rolled_end,
 		_left_surface,
+		_left_feature,
 		_touch_kind,
 		_touched,
 		_touched_feature,

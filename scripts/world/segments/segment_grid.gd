@@ -56,6 +56,7 @@ func first_accelerated_impact(
 	_ask_accelerated(pull_x, pull_y)
 	_prepare(radius)
 	_follow_parabola()
+	_end_contact()
 	return index >= 0
 
 

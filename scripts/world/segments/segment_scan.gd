@@ -14,6 +14,10 @@ const TOUCH := 1e-9
 # What rounding adds to that where coordinates are large, as a share of them.
 const _ROUNDING := 8.0 / 2.0 ** 52
 
+# What a ball touches already while it looks for the next impact: nothing, a line on which it lies,
+# a point round which it slides, or a point that it has just left.
+enum _Contact { NONE, LINE, POINT, LEFT_POINT }
+
 ## Seconds until the impact that was found.
 var time := INF
 ## The segment that is met, or -1.
@@ -33,6 +37,11 @@ var _skipped := -1
 # The square of the radius times the speed, and a little more for rounding.
 var _reach_squared := 0.0
 var _slack := TOUCH
+var _contact := _Contact.NONE
+var _contact_x := 0.0
+var _contact_y := 0.0
+var _contact_normal_x := 0.0
+var _contact_normal_y := 0.0
 var _straight := StraightImpactFinder.new()
 var _accelerated := AcceleratedImpactFinder.new()
 
@@ -70,7 +79,41 @@ func first_accelerated_impact(
 	_ask_accelerated(pull_x, pull_y)
 	for place in size():
 		_try_accelerated(place)
+	_end_contact()
 	return index >= 0
+
+
+## Tells before [method first_accelerated_impact] that the ball lies on the line through (x, y) with
+## this unit normal, towards the ball. Then it can meet nothing that does not rise above the line,
+## such as the end of the next line at a joint.
+func lie_on_line(normal_x: float, normal_y: float, x: float, y: float) -> void:
+	_contact = _Contact.LINE
+	_contact_normal_x = normal_x
+	_contact_normal_y = normal_y
+	_contact_x = x
+	_contact_y = y
+
+
+## Tells that the ball slides round the point (x, y), where segments end: it meets none of them.
+func slide_round(x: float, y: float) -> void:
+	_contact = _Contact.POINT
+	_contact_x = x
+	_contact_y = y
+
+
+## Tells that the ball flies off the point (x, y), where segments end: it may meet their lines, but
+## not their caps at this point.
+func leave_point(x: float, y: float) -> void:
+	_contact = _Contact.LEFT_POINT
+	_contact_x = x
+	_contact_y = y
+
+
+# The ball touches nothing.
+func _end_contact() -> void:
+	_contact = _Contact.NONE
+	_accelerated.skips_start = false
+	_accelerated.skips_end = false
 
 
 func _ask(
@@ -182,10 +225,41 @@ func _try_accelerated(place: int) -> void:
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
+	if _contact != _Contact.NONE and not _rises_from_contact(place):
+		return
 	if touches and _lies_on(place, gap, approach, pull):
 		return
 	if _accelerated.with_segment(start_x, start_y, _end_x[place], _end_y[place], time):
 		_take(place, _accelerated.time, _accelerated.feature)
+
+
+# Whether the ball can meet the segment at that place although it touches something already; notes
+# which of the two caps it cannot meet.
+func _rises_from_contact(place: int) -> bool:
+	var skips_start := _is_at_contact(_start_x[place], _start_y[place])
+	var skips_end := _is_at_contact(_end_x[place], _end_y[place])
+	_accelerated.skips_start = skips_start
+	_accelerated.skips_end = skips_end
+	match _contact:
+		_Contact.POINT:
+			return not (skips_start or skips_end)
+		_Contact.LEFT_POINT:
+			# Of the lines that end at the point it can meet those ahead.
+			var along_x := _end_x[place] - _start_x[place]
+			var along_y := _end_y[place] - _start_y[place]
+			var ahead := along_x * _velocity_x + along_y * _velocity_y
+			return not (skips_start and ahead <= 0.0 or skips_end and ahead >= 0.0)
+	return not (skips_start and skips_end)
+
+
+# Whether a cap about this point is no more than what the ball touches already.
+func _is_at_contact(x: float, y: float) -> bool:
+	var dx := x - _contact_x
+	var dy := y - _contact_y
+	var slack := _slack + _ROUNDING * (absf(x) + absf(y))
+	if _contact == _Contact.LINE:
+		return dx * _contact_normal_x + dy * _contact_normal_y <= slack
+	return dx * dx + dy * dy <= slack * slack
 
 
 # Of two that are met at the same time, the one at the smaller place is taken, in whatever order
@@ -202,7 +276,12 @@ func _take(place: int, seconds: float, of: Impact.Feature) -> void:
 # sink into it. Gap, approach and pull are multiplied by the length of the segment.
 func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var share := share_of(place, _x, _y)
-	if share >= 0.0 and share <= 1.0:
+	var is_beside := share < 0.0 or share > 1.0
+	var skips_cap := _accelerated.skips_start if share < 0.0 else _accelerated.skips_end
+	if is_beside and skips_cap and _contact != _Contact.LEFT_POINT:
+		return false
+	# Where it has left the cap, it has hardly been clear of the line that goes on there.
+	if not is_beside or skips_cap:
 		var slack := _slack * _length[place]
 		if gap < -slack or not _is_held(approach, pull, slack):
 			return false

@@ -34,7 +34,8 @@ func test_a_slow_ball_is_over_the_line_before_its_slide_ends() -> void:
 	)
 	var rolls := CapRolls.new()
 	rolls.resize(1)
-	rolls.begin(0, slide, 0.0, -1.0, 7.0, 0.0)
+	rolls.begin(0, slide, 7.0, 0.0)
+	rolls.end_at_line(0, 0.0, -1.0)
 	rolls.move_to(0, rolls.duration(0))
 	assert_lt(rolls.duration(0), slide.end_time)
 	assert_vec2(Vec2.new(rolls.x, rolls.y), Vec2.new(0, -_RADIUS), 1e-9)
@@ -49,7 +50,8 @@ func _rolls(speed: float) -> CapRolls:
 	assert_no_refusal(slide.start(0, 0, 0, -_RADIUS, speed, 0, 0, _GRAVITY))
 	var rolls := CapRolls.new()
 	rolls.resize(1)
-	rolls.begin(0, slide, 0.0, -1.0, 7.0, 0.0)
+	rolls.begin(0, slide, 7.0, 0.0)
+	rolls.end_at_line(0, 0.0, -1.0)
 	return rolls
 
 
