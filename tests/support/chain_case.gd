@@ -5,7 +5,18 @@ extends RefCounted
 
 ## The kinds of chains.
 enum Kind {
-	STRAIGHT, CONVEX, CONCAVE, HILLS, ZIGZAG, CIRCLE_OUTSIDE, CIRCLE_INSIDE, GAPS, CROSSING, DOUBLE, TEE, TABLE
+	STRAIGHT,
+	CONVEX,
+	CONCAVE,
+	HILLS,
+	ZIGZAG,
+	CIRCLE_OUTSIDE,
+	CIRCLE_INSIDE,
+	GAPS,
+	CROSSING,
+	DOUBLE,
+	TEE,
+	TABLE
 }
 
 const GRAVITY := 300.0
@@ -83,7 +94,15 @@ func text() -> String:
 		parts.append("%s to %s" % [line.start, line.end])
 	return (
 		"%s, C = %s, ball at %s, r = %s, v = %s; %d lines: %s"
-		% [Kind.keys()[kind], bounciness, ball.position, ball.radius, ball.velocity, points.size(), ", ".join(parts)]
+		% [
+			Kind.keys()[kind],
+			bounciness,
+			ball.position,
+			ball.radius,
+			ball.velocity,
+			points.size(),
+			", ".join(parts)
+		]
 	)
 
 
@@ -190,7 +209,10 @@ func _double(rng: RandomNumberGenerator) -> void:
 			_add(line.end.copy(), line.start.copy())
 		else:
 			var along := line.end.minus(line.start)
-			_add(line.start.plus(along.scaled(0.25)), line.start.plus(along.scaled(rng.randf_range(0.5, 1.3))))
+			_add(
+				line.start.plus(along.scaled(0.25)),
+				line.start.plus(along.scaled(rng.randf_range(0.5, 1.3)))
+			)
 
 
 func _hang(rng: RandomNumberGenerator) -> void:
@@ -204,7 +226,9 @@ func _hang(rng: RandomNumberGenerator) -> void:
 # On the first line, above it, or inside the circle.
 func _put_ball(rng: RandomNumberGenerator) -> void:
 	var radius := 10.0 ** rng.randf_range(0.0, 1.3)
-	var speed: float = [0.0, rng.randf_range(0.0, 60.0), rng.randf_range(0.0, 400.0)][rng.randi() % 3]
+	var speed: float = [0.0, rng.randf_range(0.0, 60.0), rng.randf_range(0.0, 400.0)][
+		rng.randi() % 3
+	]
 	var line := points[0]
 	if kind == Kind.CIRCLE_OUTSIDE:
 		line = points[int(points.size() * rng.randf_range(0.65, 0.85))]
@@ -223,3 +247,37 @@ func _put_ball(rng: RandomNumberGenerator) -> void:
 	if height > 0.0:
 		velocity = Vec2.random_unit(rng).scaled(speed)
 	ball = Ball.new(at, radius, velocity)
+
+
+## "" or what does not hold where [param mover] moves the ball frame by frame: it stands still
+## although it is fast, is inside a line, or gains energy.
+func stepped_problem(mover: BallMover, may_gain: bool = false) -> String:
+	var stepped := SteppedWorld.new(mover)
+	Refusal.push(stepped.surroundings.set_gravity(Vec2.new(0.0, GRAVITY)))
+	Refusal.push(stepped.surroundings.set_bounciness(bounciness))
+	Refusal.push(stepped.surroundings.set_segments(points))
+	Refusal.push(stepped.set_balls([ball]))
+	var energy := stepped.energy()
+	var scale := 0.5 * ball.velocity.length_squared() + GRAVITY * 50.0
+	for frame: int in roundi(60.0 * seconds):
+		var before := stepped.balls[0].position.copy()
+		var refusal := stepped.step(1.0 / 60.0)
+		if refusal:
+			return refusal
+		var at := stepped.balls[0].position
+		if stepped.is_lost[0]:
+			return ""
+		var speed := stepped.balls[0].velocity.length()
+		var now := stepped.energy()
+		scale = maxf(scale, 0.5 * speed * speed)
+		if now - energy > ENERGY * scale and not may_gain:
+			return "In frame %d the energy has grown by %s." % [frame, now - energy]
+		if speed > 1.0 and at.distance_to(before) < 1e-3 * speed / 60.0 and bounciness < 1.0:
+			return (
+				"In frame %d it stands still at %s with v = %s."
+				% [frame, at, stepped.balls[0].velocity]
+			)
+		var inside := depth(at)
+		if inside > DEEPEST:
+			return "In frame %d the ball at %s is inside a line by %s px." % [frame, at, inside]
+	return ""

@@ -23,6 +23,9 @@ var _gravity: Vec2
 # The index of the line on which the ball lies, -1 for none, and its normal.
 var _support := -1
 var _support_normal := Vec2.new()
+# The indices of the lines that the ball passes while it moves along what it touches: the touched
+# one, and those that go on from it without rising, as at a joint.
+var _passed: PackedInt32Array = []
 
 
 ## The first part of a frame of [param frame_seconds].
@@ -41,8 +44,10 @@ func pass_by() -> void:
 ## Ends this part after an impact, with the velocity of [param ball] after it: the ball leaves the
 ## line, or lies on it. A ball that lies in a corner of two lines comes to rest, and no part is
 ## left.
-func leave(ball: Ball, impact: Impact, has_bounced: bool) -> void:
+func leave(ball: Ball, impact: Impact, has_bounced: bool, surroundings: Surroundings) -> void:
 	left -= seconds * impact.fraction
+	var point := ball.position.minus(impact.normal.scaled(ball.radius))
+	_passed = surroundings.segments_below(ball, point, impact.normal)
 	if hop_seconds(ball.velocity, impact.normal, _gravity) < SHORTEST_HOP:
 		_lie_on(ball, impact)
 	elif has_bounced or _support < 0:
@@ -75,19 +80,21 @@ func _hop(ball: Ball, impact: Impact) -> void:
 	var hop := hop_seconds(ball.velocity, impact.normal, pull)
 	seconds = minf(hop, left)
 	if hop < left:
-		skipped.append(impact.segment_index)
+		skipped.append_array(_passed)
 
 
 func _lie_on(ball: Ball, impact: Impact) -> void:
 	ball.velocity = ball.velocity.rejection(impact.normal)
 	pull = _gravity.rejection(impact.normal)
 	seconds = left
-	skipped = [impact.segment_index]
+	skipped = _passed.duplicate()
 	if _support >= 0:
 		if hop_seconds(ball.velocity, _support_normal, pull) < SHORTEST_HOP:
 			ball.velocity = Vec2.new()
 			left = 0.0
 		elif ball.velocity.dot(_support_normal) >= -_NOTHING * ball.velocity.length():
+			# It leaves the other line of a corner along this one, and may slide back.
 			skipped.append(_support)
+			seconds = minf(hop_seconds(ball.velocity, _support_normal, pull), left)
 	_support = impact.segment_index
 	_support_normal = impact.normal

@@ -7,6 +7,8 @@ extends RefCounted
 
 ## The largest size of coordinates, speeds and gravity, in pixels, px/s and px/s².
 const LARGEST := 1e6
+## A ball passes a joint of two lines where the next one rises by no more than this, in pixels.
+const FLUSH := 1e-9
 
 ## Read it; change it by [method set_segments].
 var segments: Array[LineSegment] = []
@@ -89,6 +91,21 @@ func near_segments(
 	for index in skipped:
 		near.erase(index)
 	return near
+
+
+## The indices of the segments near a ball that do not rise above the line through [param point]
+## with the unit normal [param normal], towards the ball. A ball that touches the point and moves
+## along the line can meet none of them.
+func segments_below(ball: Ball, point: Vec2, normal: Vec2) -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for index in near_segments(ball.position, Vec2.new(), ball.radius):
+		var segment := segments[index]
+		var height := maxf(
+			segment.start.minus(point).dot(normal), segment.end.minus(point).dot(normal)
+		)
+		if height <= FLUSH:
+			found.append(index)
+	return found
 
 
 ## The largest g . x of all ends of lines, from which heights are measured. 0 without lines.

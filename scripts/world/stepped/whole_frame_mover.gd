@@ -36,7 +36,7 @@ func move_under(
 			var count := bounces.size()
 			fly_to(ball, impact, part.seconds, part.pull)
 			bounce(ball, impact, surroundings.bounciness, bounces)
-			part.leave(ball, impact, bounces.size() > count)
+			part.leave(ball, impact, bounces.size() > count, surroundings)
 		else:
 			fly(ball, part.seconds, part.pull)
 			part.pass_by()
