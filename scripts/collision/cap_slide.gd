@@ -31,6 +31,9 @@ var ending := Ending.NEVER
 ## Seconds until then; INF for [constant Ending.NEVER].
 var end_time := INF
 
+## In which direction the ball starts round the end: 1.0 from x towards y, else -1.0. The angles are
+## counted in this direction.
+var turn := 1.0
 ## x of the centre at the time given to [method move_to], in pixels.
 var position_x := 0.0
 ## y of the centre then.
@@ -43,10 +46,9 @@ var velocity_y := 0.0
 var _cx := 0.0
 var _cy := 0.0
 var _radius := 0.0
-# The unit vector against gravity, and the direction in which the angle grows: that of the start.
+# The unit vector against gravity.
 var _up_x := 0.0
 var _up_y := 0.0
-var _turn := 1.0
 # g / R, and the start: the angle from the top, and the angular speed, which is 0 or more.
 var _k := 0.0
 var _start := 0.0
@@ -82,8 +84,8 @@ func start(
 	_up_y = up.y
 	_start = up.angle_to(away)
 	_speed = away.cross(Vec2.new(vx, vy)) / _radius / _radius
-	_turn = -1.0 if _speed < 0.0 or (_speed == 0.0 and _start < 0.0) else 1.0
-	_start *= _turn
+	turn = -1.0 if _speed < 0.0 or (_speed == 0.0 and _start < 0.0) else 1.0
+	_start *= turn
 	_speed = absf(_speed)
 	_find_end()
 	return ""
@@ -97,13 +99,13 @@ func move_to(seconds: float) -> void:
 	var is_back := ending == Ending.RETURNS and at > _last_time
 	var angle := _angle_at(end_time - at if is_back else at)
 	var angular_speed := _speed_at(angle) * (-1.0 if is_back else 1.0)
-	_place(angle * _turn, angular_speed * _turn)
+	_place(angle * turn, angular_speed * turn)
 
 
 ## The first time at which the centre is in the direction (x, y) from the end; INF if the sliding
 ## ends before.
 func time_to_direction(x: float, y: float) -> float:
-	var angle := Vec2.new(_up_x, _up_y).angle_to(Vec2.new(x, y)) * _turn
+	var angle := Vec2.new(_up_x, _up_y).angle_to(Vec2.new(x, y)) * turn
 	if angle < _start or angle > _last or end_time == 0.0:
 		return 0.0 if angle == _start else INF
 	return _time_to(angle)

@@ -178,8 +178,9 @@ func _set_free(index: int) -> void:
 
 
 # The line under a sliding ball ends: another segment goes on there, or the ball slides over the cap
-# or flies off.
-func _slide_off(index: int) -> void:
+# or flies off. Where the next segment rises, so little that rounding has hidden its touch, nothing
+# is done: its place is returned, and the ball has to bounce off it. Else NOTHING is returned.
+func _slide_off(index: int) -> int:
 	_restart(index)
 	var old := _support[index]
 	_find_normal(index, old)
@@ -187,17 +188,30 @@ func _slide_off(index: int) -> void:
 	var sign_of_end := 1.0 if _touched_feature[index] == Impact.Feature.END else -1.0
 	var ahead_x := sign_of_end * AHEAD * _segments.normal_y(old)
 	var ahead_y := -sign_of_end * AHEAD * _segments.normal_x(old)
+	var next := NOTHING
+	var least := SEAM * sqrt(_squared_speed(index))
+	var is_risen := false
 	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
 		if place != old and _goes_on(index, place, _x[index] + ahead_x, _y[index] + ahead_y):
-			_put_on(index, place)
-			return
+			var across := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
+			if across <= least:
+				next = place
+				is_risen = across < -least
+				least = minf(across, least)
+	if is_risen:
+		return next
+	if next != NOTHING:
+		_find_normal(index, next)
+		_put_on(index, next)
+		return NOTHING
 	_find_normal(index, old)
 	_end_event(index, old, _begin_event(index), WorldEvent.Kind.LEAVE)
 	_roll(index, old, _touched_feature[index] as Impact.Feature)
+	return NOTHING
 
 
-# Whether the ball touches the line of this segment, too, moves along it and is pressed on it, and
-# whether it is still over it at (x, y), a little ahead.
+# Whether the ball touches the line of this segment, too, is pressed on it, and is still over it at
+# (x, y), a little ahead. Finds its normal.
 func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	var distance := absf(_segments.signed_distance(place, _x[index], _y[index]))
 	if absf(distance - _radius[index]) > SEAM:
@@ -207,10 +221,7 @@ func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	if share < -slack or share > 1.0 + slack:
 		return false
 	_find_normal(index, place)
-	if _gravity_x * _normal_x + _gravity_y * _normal_y >= 0.0:
-		return false
-	var across := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
-	return absf(across) <= SEAM * sqrt(_squared_speed(index))
+	return _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0
 
 
 # Whether bounces that leave a cap with this speed along the normal, which must be known, are over.
@@ -231,6 +242,8 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 	var x := _segments.end_x(place, feature)
 	var y := _segments.end_y(place, feature)
 	_set_free(index)
+	if _comes_onto_line(index, x, y):
+		return
 	var problem := slide.start(
 		x, y, _x[index], _y[index], _velocity_x[index], _velocity_y[index], _gravity_x, _gravity_y
 	)
@@ -241,8 +254,29 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 	_rolled_end[index] = feature
 	_rolls.begin(index, slide, time, _time_low)
 	for other in _places_at(index, x, y):
-		_rolls.end_at_line(index, _segments.normal_x(other), _segments.normal_y(other))
+		var away := _direction_from(other, x, y)
+		_rolls.end_at_line(index, away.x, away.y)
 	_begin_piece(index, 0.0)
+
+
+# Whether the ball, which slides round the point (x, y), is over a line that begins there, and moves
+# along it: from now on it slides on this line.
+func _comes_onto_line(index: int, x: float, y: float) -> bool:
+	for place in _places_at(index, x, y):
+		var away := _direction_from(place, x, y)
+		var over := away.x * (_x[index] - x) + away.y * (_y[index] - y)
+		if over >= -SEAM and away.x * _velocity_x[index] + away.y * _velocity_y[index] > 0.0:
+			_find_normal(index, place)
+			if _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0:
+				_put_on(index, place)
+				return true
+	return false
+
+
+# The direction of a segment away from its end at the point (x, y).
+func _direction_from(place: int, x: float, y: float) -> Vec2:
+	var along := Vec2.new(_segments.normal_y(place), -_segments.normal_x(place))
+	return along if _is_end_at(place, Impact.Feature.START, x, y) else along.negated()
 
 
 # The next piece of the way over a cap, this many seconds after its beginning.
@@ -297,12 +331,15 @@ func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
 func _places_at(index: int, x: float, y: float) -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
-		for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
-			var dx := _segments.end_x(place, feature) - x
-			var dy := _segments.end_y(place, feature) - y
-			if dx * dx + dy * dy <= SEAM * SEAM:
-				found.append(place)
+		if _is_end_at(place, Impact.Feature.START, x, y) or _is_end_at(place, Impact.Feature.END, x, y):
+			found.append(place)
 	return found
+
+
+func _is_end_at(place: int, feature: Impact.Feature, x: float, y: float) -> bool:
+	var dx := _segments.end_x(place, feature) - x
+	var dy := _segments.end_y(place, feature) - y
+	return dx * dx + dy * dy <= SEAM * SEAM
 
 
 # Whether the ball is over the line of the segment, and gravity presses it there; finds the normal.

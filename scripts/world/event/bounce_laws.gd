@@ -34,7 +34,10 @@ func _happen(index: int) -> void:
 	elif kind == LOOK_AGAIN:
 		_forecast_event(index)
 	elif kind == SLIDE_OFF:
-		_slide_off(index)
+		_touched[index] = _slide_off(index)
+		if _touched[index] != NOTHING:
+			_touched_feature[index] = Impact.Feature.LINE
+			_bounce(index)
 		_forecast(index)
 	elif kind == FOLLOW_CAP:
 		_follow_cap(index)

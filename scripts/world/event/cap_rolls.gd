@@ -62,13 +62,12 @@ func begin(ball: int, slide: CapSlide, time: float, time_low: float) -> void:
 	_line_time[ball] = INF
 
 
-## The way of a ball ends where it comes onto this line, too: it has this normal, to either side. A
-## way that only starts on the line goes on.
-func end_at_line(ball: int, normal_x: float, normal_y: float) -> void:
-	for side: float in [-1.0, 1.0]:
-		var seconds := slides[ball].time_to_direction(side * normal_x, side * normal_y)
-		if seconds > LINE_TIME:
-			_line_time[ball] = minf(_line_time[ball], seconds)
+## The way of a ball ends where it comes onto a line as well: one that begins at the point about which
+## the ball goes, and has this direction. The ball comes onto it where it moves in this direction.
+func end_at_line(ball: int, along_x: float, along_y: float) -> void:
+	var turn := slides[ball].turn
+	var seconds := slides[ball].time_to_direction(turn * along_y, -turn * along_x)
+	_line_time[ball] = minf(_line_time[ball], seconds)
 
 
 ## Seconds since a ball began its way, at this time of the world.

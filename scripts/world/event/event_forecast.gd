@@ -305,8 +305,9 @@ func _forecast_accelerated_touch(index: int) -> void:
 	if _segments.size() > 0:
 		var skipped := _support[index]
 		if _left_surface[index] >= 0:
-			skipped = _left_surface[index]
-			_forecast_return(index, skipped)
+			_forecast_return(index, _left_surface[index])
+			if _left_feature[index] == Impact.Feature.LINE:
+				skipped = _left_surface[index]
 		_tell_contact(index)
 		if _segments.first_accelerated_impact(
 			_x[index],

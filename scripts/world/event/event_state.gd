@@ -242,8 +242,7 @@ func position(index: int) -> Vec2:
 ## A ball's velocity now, in pixels per second.
 func velocity(index: int) -> Vec2:
 	if _rolled_end[index] != Impact.Feature.LINE:
-		# Exact: the flight that stands for a piece of the way over a cap follows it only in place.
-		_rolls.move_to(index, _rolls.seconds_since(index, time, _time_low))
+		_find_velocity_on_cap(index)
 		return Vec2.new(_rolls.velocity_x, _rolls.velocity_y)
 	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
 	return Vec2.new(
@@ -292,10 +291,20 @@ func _restart(index: int) -> void:
 	var seconds := (time - _start[index]) + (_time_low - _start_low[index])
 	_x[index] += (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
 	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
-	_velocity_x[index] += _pull_x[index] * seconds
-	_velocity_y[index] += _pull_y[index] * seconds
+	if _rolled_end[index] != Impact.Feature.LINE:
+		_find_velocity_on_cap(index)
+		_velocity_x[index] = _rolls.velocity_x
+		_velocity_y[index] = _rolls.velocity_y
+	else:
+		_velocity_x[index] += _pull_x[index] * seconds
+		_velocity_y[index] += _pull_y[index] * seconds
 	_start[index] = time
 	_start_low[index] = _time_low
+
+
+# The flight that stands for a piece of the way over a cap follows it closely in place, not in speed.
+func _find_velocity_on_cap(index: int) -> void:
+	_rolls.move_to(index, _rolls.seconds_since(index, time, _time_low))
 
 
 func _squared_speed(index: int) -> float:

@@ -35,7 +35,7 @@ func test_a_slow_ball_is_over_the_line_before_its_slide_ends() -> void:
 	var rolls := CapRolls.new()
 	rolls.resize(1)
 	rolls.begin(0, slide, 7.0, 0.0)
-	rolls.end_at_line(0, 0.0, -1.0)
+	rolls.end_at_line(0, -1.0, 0.0)
 	rolls.move_to(0, rolls.duration(0))
 	assert_lt(rolls.duration(0), slide.end_time)
 	assert_vec2(Vec2.new(rolls.x, rolls.y), Vec2.new(0, -_RADIUS), 1e-9)
@@ -51,7 +51,7 @@ func _rolls(speed: float) -> CapRolls:
 	var rolls := CapRolls.new()
 	rolls.resize(1)
 	rolls.begin(0, slide, 7.0, 0.0)
-	rolls.end_at_line(0, 0.0, -1.0)
+	rolls.end_at_line(0, -1.0, 0.0)
 	return rolls
 
 
