@@ -41,7 +41,8 @@ func start() -> void:
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Remember now"))
-	on_edit(options.switched, _switch)
+	_readout.show_headings(["", tr("sum"), tr("error"), tr("per addition")])
+	on_pick(_model.take)
 	on_edit(options.preset_picked, _model.remember.unbind(1))
 	var kinds := SharingExercise.Kind.size()
 	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
@@ -97,11 +98,6 @@ func _shown_place() -> Vec2:
 	return _model.position.copy() if _is_changed() else _model.first_place()
 
 
-func _switch(_key: String, on: bool) -> void:
-	_model.copies = on
-	_model.remember()
-
-
 # What the student sees.
 
 
@@ -122,6 +118,8 @@ func _show() -> void:
 		func() -> int: return 1 if _model.copies else 0
 	)
 	tell_steps(ClassOrValueTexts.sentences(_model.copies))
+	# Copies are the cure: they come with the harm.
+	services[&"options"].visible = _is_changed()
 	_show_arrows()
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
 	_formula.show_model(_model, step)

@@ -144,7 +144,7 @@ func _put_easy() -> void:
 
 func _put_right() -> void:
 	var right := _model.right_result(_moved)
-	var from_l := _model.from_line_start(_moved.position)
+	var from_l := _without_rounding(_model.from_line_start(_moved.position))
 	var normal := _model.normal()
 	# By the numbers of its line: far out their rounding is not that of the model.
 	var shortest := from_l.dot(normal)
@@ -166,6 +166,12 @@ func _put_right() -> void:
 	_formula.put_vector("p_right", right.position, Palette.Role.A)
 	_formula.put_number("along_n", _moved.velocity.dot(normal), Palette.Role.A)
 	_formula.put_vector("v_right", right.velocity, Palette.Role.A)
+
+
+# A difference such as 120 − 120.00000000000001 is 0.
+func _without_rounding(difference: Vec2) -> Vec2:
+	var x := 0.0 if _model.is_rounding(difference.x, _moved) else difference.x
+	return Vec2.new(x, 0.0 if _model.is_rounding(difference.y, _moved) else difference.y)
 
 
 func _hit_text(distance: float, is_hit: bool) -> String:

@@ -42,8 +42,9 @@ func test_a_typed_number_changes_the_vec2_under_both_names() -> void:
 func test_with_copy_the_old_vec2_stays_behind() -> void:
 	await click_button("Use copy()")
 	assert_has(_formula_lines(), "old = position.copy()")
+	assert_has(_formula_lines(), "position (4, −4)   old (2, −3)")
 	await student.enter(_field("x of position"), "1")
-	assert_has(_formula_lines(), "position (1, −4)   old (4, −4)")
+	assert_has(_formula_lines(), "position (1, −4)   old (2, −3)")
 	await click_button("Remember now")
 	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
 
@@ -61,8 +62,34 @@ func test_the_change_is_asked_for_before_it_is_shown() -> void:
 	await go_to_step(ClassOrValueTexts.Step.SECOND_NAME)
 	await student.press(&"lab_next_step")
 	assert_does_not_read("set_xy( ")
-	await click_button("it moves, too")
-	assert_reads("Right")
+	await click_button("the old place")
+	assert_reads("No: it is the new place")
+
+
+func test_copies_are_not_offered_before_the_harm_is_seen() -> void:
+	for step: int in ClassOrValueTexts.Step.size():
+		await go_to_step(step)
+		var options := frame().lesson.services[&"options"] as Control
+		assert_eq(options.visible, step >= ClassOrValueTexts.Step.CHANGE, "step %d" % (step + 1))
+
+
+func test_both_titles_stand_above_their_fields_in_their_own_halves() -> void:
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(390, 844)]:
+		await resize(size)
+		for x: float in [4.0, 1e6]:
+			frame().lesson.show_state(
+				{
+					"position": PackedFloat64Array([x, -4]),
+					"old": PackedFloat64Array([2, -3]),
+					"copies": false
+				}
+			)
+			var fields := frame().lesson.get_node("%Fields") as FieldTitles
+			var middle := frame().lesson.board.size.x / 2.0
+			var places := fields.title_places()
+			assert_between(places[0], FieldTitles.HALF_TITLE, middle - FieldTitles.HALF_TITLE)
+			var rightmost := 2.0 * middle - FieldTitles.HALF_TITLE
+			assert_between(places[1], middle + FieldTitles.HALF_TITLE, rightmost)
 
 
 func test_32_bits_are_seen_in_the_numbers() -> void:
@@ -94,12 +121,16 @@ func test_in_random_states_every_name_holds_what_the_code_gives_it() -> void:
 			lines, "position (%d, %d)   old (%d, %d)" % (new + (old if copies else new))
 		)
 		assert_string_contains(lines, "value (%d, %d)   old_value (%d, %d)" % (new + old))
+		var kept: Array[int] = old if copies else new
+		assert_eq(_arrow("%Old").head - _arrow("%Old").tail, Vector2(kept[0], kept[1]))
+		assert_eq(_arrow("%OldValue").head - _arrow("%OldValue").tail, Vector2(old[0], old[1]))
 
 
 func test_the_steps_begin_without_a_second_name_and_end_with_both_sums() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("1.3e−6")
 	assert_reads("958")
+	assert_reads("per addition")
 	for step: int in 3:
 		await student.press(&"lab_previous_step")
 	assert_false(_arrow("%Old").visible)

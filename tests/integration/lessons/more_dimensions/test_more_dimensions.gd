@@ -126,8 +126,34 @@ func test_a_zero_vector_has_no_angle() -> void:
 	for i: int in 3:
 		await student.enter(_field("Component %d of a" % (i + 1)), "0")
 	assert_reads("a zero vector makes no angle")
-	assert_does_not_read("cos α =")
+	assert_does_not_read("cos α")
 	assert_false((frame().lesson.get_node("%Picture/Shadow") as CanvasItem).visible)
+
+
+func test_the_table_comes_with_the_angle() -> void:
+	assert_reads("cos α")
+	await go_to_step(MoreDimensionsTexts.Step.SIGN)
+	assert_does_not_read("cos α")
+
+
+func test_parallel_vectors_make_no_angle_or_180_degrees() -> void:
+	for i: int in 3:
+		await student.enter(_field("Component %d of a" % (i + 1)), str(i + 1))
+		await student.enter(_field("Component %d of b" % (i + 1)), str(2 * i + 2))
+	assert_has(_formula_lines(), "α = 0°")
+	for i: int in 3:
+		await student.enter(_field("Component %d of b" % (i + 1)), str(-2 * i - 2))
+	assert_has(_formula_lines(), "α = 180°")
+
+
+func test_the_products_are_added_up_with_the_step_that_adds_them() -> void:
+	var stairs := _part("Stairs") as ProductStairs
+	await go_to_step(MoreDimensionsTexts.Step.PRODUCTS)
+	assert_eq([stairs.accessibility_name, stairs.spanned()], ["The products", Vector2(-2, 12)])
+	await go_to_step(MoreDimensionsTexts.Step.SUM)
+	assert_eq(
+		[stairs.accessibility_name, stairs.spanned()], ["The products added up", Vector2(0, 20)]
+	)
 
 
 func test_an_angle_just_below_90_degrees_is_not_shown_as_90() -> void:
