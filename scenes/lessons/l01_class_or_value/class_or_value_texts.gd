@@ -27,12 +27,7 @@ static func sentences(copies: bool) -> PackedStringArray:
 		),
 		second,
 		third,
-		(
-			LabText
-			. translate(
-				"Why Vec2 at all? Its numbers have 64 bits, not 32. Add 0.1 a million times and compare."
-			)
-		),
+		LabText.translate("Why Vec2? It keeps 64 bits of each number, Vector2 only 32."),
 	]
 
 

@@ -137,7 +137,7 @@ func _put_easy() -> void:
 	_formula.put_number("line_at", _model.line_at(_moved.position), Palette.Role.INK)
 	_formula.put_number("p_axis", _on_axis(_moved), Palette.Role.INK)
 	_formula.put_number("straight", straight, role)
-	_formula.put_text("easy_hit", _hit_text(straight, _model.easy_detects(_moved)), role)
+	_formula.put_answer("easy_hit", _hit_text(straight, _model.easy_detects(_moved)), role)
 	_formula.put_number("back", _on_axis(easy), role)
 	_formula.put_vector("v_easy", easy.velocity, role)
 
@@ -159,7 +159,7 @@ func _put_right() -> void:
 	_formula.put_number("dy", from_l.y, Palette.Role.INK)
 	_formula.put_sum("shortest", shortest, from_l.length(), Palette.Role.A)
 	_formula.put_number("distance", shortest, Palette.Role.A)
-	_formula.put_text(
+	_formula.put_answer(
 		"right_hit", _hit_text(shortest, _model.right_detects(_moved)), Palette.Role.A
 	)
 	_formula.put_number("depth", _model.depth(_moved), Palette.Role.A)

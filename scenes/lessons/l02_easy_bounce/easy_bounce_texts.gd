@@ -42,7 +42,9 @@ static func needs_velocity(step: int) -> bool:
 
 static func _move_sentence(model: EasyBounceModel, moved: Ball) -> String:
 	if not model.right_detects(moved):
-		return LabText.translate("Move: each frame adds v to P. Here the ball stays off the line.")
+		return LabText.translate(
+			"Move: each frame adds v to P. Here the ball does not reach the line."
+		)
 	if model.shortest_distance(moved.position) <= -moved.radius:
 		return LabText.translate("Move: each frame adds v to P. Now the ball is behind the line.")
 	return LabText.translate("Move: each frame adds v to P. Now the ball overlaps the line.")

@@ -80,7 +80,7 @@ static func _role_of(product: float) -> Palette.Role:
 
 static func _text_of(product: float) -> String:
 	var text := NumberText.short(product)
-	return text if product < 0.0 else "+" + text
+	return "+" + text if product > 0.0 else text
 
 
 func _draw_stair(index: int, from: float, to: float, role: Palette.Role, text: String) -> void:

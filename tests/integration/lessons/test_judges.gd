@@ -72,7 +72,7 @@ const _CASES: Array[Dictionary] = [
 		step = [3],
 		sentence =
 		[
-			"Why Vec2 at all? Its numbers have 64 bits, not 32. Add 0.1 a million times and compare.",
+			"Why Vec2? It keeps 64 bits of each number, Vector2 only 32.",
 			"set_xy changes only the first Vec2. old is a copy and stays, just like old_value.",
 			"something new",
 		],

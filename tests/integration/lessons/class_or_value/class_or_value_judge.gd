@@ -40,7 +40,7 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		"set_xy changes the one Vec2, so old changes, too. old_value stays":
 		_step == 2 and not _copies,
 		"set_xy changes only the first Vec2. old is a copy and stays": _step == 2 and _copies,
-		"Its numbers have 64 bits, not 32": _step == 3,
+		"It keeps 64 bits of each number, Vector2 only 32": _step == 3,
 	}
 
 

@@ -66,6 +66,27 @@ func test_the_change_is_asked_for_before_it_is_shown() -> void:
 	assert_reads("No: it is the new place")
 
 
+func test_hidden_answers_hide_what_old_holds() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "position (4, −4)   old ?")
+	assert_eq(_arrow("%Old").modulate.a, 0.0)
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
+
+
+func test_no_arrow_reaches_into_the_other_field() -> void:
+	for x: float in [4.0, 9.5, 30.0, 16777217.0, 1e38]:
+		frame().lesson.show_state(
+			{
+				"position": PackedFloat64Array([x, -4]),
+				"old": PackedFloat64Array([-x, -3]),
+				"copies": true
+			}
+		)
+		for arrow: Arrow in [_arrow("%Old"), frame().lesson.get_node("%Position/Arrow") as Arrow]:
+			assert_lt(maxf(arrow.tail.x, arrow.head.x), 0.0, str(x))
+
+
 func test_copies_are_not_offered_before_the_harm_is_seen() -> void:
 	for step: int in ClassOrValueTexts.Step.size():
 		await go_to_step(step)

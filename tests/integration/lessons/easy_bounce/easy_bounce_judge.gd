@@ -218,7 +218,7 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 	var is_floor := _is_level() and not _is_wall
 	var is_upright := _is_level() and _is_wall
 	return {
-		"Here the ball stays off the line": _can_miss(),
+		"Here the ball does not reach the line": _can_miss(),
 		"Now the ball is behind the line": _shortest() <= -_radius + _off,
 		"Now the ball overlaps the line": _can_hit() and _shortest() > -_radius - _off,
 		"Detect: on a tilted line": is_tilted,

@@ -160,7 +160,17 @@ func test_a_difference_that_is_rounding_alone_is_shown_as_0() -> void:
 	await click_button("30°")
 	await student.enter(field("y of the ball"), "120")
 	await go_to_step(EasyBounceTexts.Step.DETECT)
-	assert_reads("(−138.56)·0.5 + 0·(−0.86603) = −69.28")
+	assert_has(
+		formula_lines(),
+		"right: (P − L) · n̂ = (−138.56)·0.5 + 0·(−0.86603) = −69.28     −69.28 < r = 60: hit"
+	)
+
+
+func test_hidden_answers_hide_the_hit() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(formula_lines(), "easy: floor − y = ? − ? = ?     ?")
+	await student.press(&"lab_hide_answers")
+	assert_has(formula_lines(), "easy: floor − y = 40 − 4 = 36     36 < r = 60: hit")
 
 
 func test_behind_a_tilted_line_the_easy_distance_is_too_far_by_a_size() -> void:

@@ -136,6 +136,27 @@ func test_the_table_comes_with_the_angle() -> void:
 	assert_does_not_read("cos α")
 
 
+func test_hidden_answers_hide_the_angle_everywhere() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "a · b ? 0:  ?")
+	assert_has(_formula_lines(), "α = ?°")
+	for part: String in ["%Arc", "%Shadow", "%Stairs", "%VerdictCard"]:
+		var shown := frame().lesson.get_node(part) as CanvasItem
+		assert_eq([shown.visible, shown.modulate.a], [true, 0.0], part)
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "α = 43.16°")
+
+
+func test_the_arc_of_the_angle_goes_from_one_vector_to_the_other() -> void:
+	var arc := frame().lesson.get_node("%Arc") as Line2D
+	var from := frame().lesson.get_node("%ArrowOfA") as Arrow
+	var to := frame().lesson.get_node("%ArrowOfB") as Arrow
+	assert_lt(absf(arc.points[0].angle_to(from.head)), 1e-3)
+	assert_lt(absf(arc.points[-1].angle_to(to.head)), 1e-3)
+	await go_to_step(MoreDimensionsTexts.Step.SIGN)
+	assert_false(arc.visible)
+
+
 func test_parallel_vectors_make_no_angle_or_180_degrees() -> void:
 	for i: int in 3:
 		await student.enter(_field("Component %d of a" % (i + 1)), str(i + 1))
