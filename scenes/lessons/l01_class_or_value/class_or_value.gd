@@ -42,7 +42,7 @@ func start() -> void:
 	on_enter(_enter)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
-	options.add_preset("remember", tr("Remember now"))
+	options.add_preset("remember", tr("Start again from here"))
 	_readout.show_headings([tr("0.1 added up"), tr("sum"), tr("error"), tr("per addition")])
 	on_pick(_model.take)
 	on_edit(options.preset_picked, _model.remember.unbind(1))

@@ -45,7 +45,7 @@ func test_with_copy_the_old_vec2_stays_behind() -> void:
 	assert_has(_formula_lines(), "position (4, −4)   old (2, −3)")
 	await student.enter(_field("x of position"), "1")
 	assert_has(_formula_lines(), "position (1, −4)   old (2, −3)")
-	await click_button("Remember now")
+	await click_button("Start again from here")
 	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
 
 
@@ -64,6 +64,22 @@ func test_the_change_is_asked_for_before_it_is_shown() -> void:
 	assert_does_not_read("set_xy( ")
 	await click_button("the old place")
 	assert_reads("No: it is the new place")
+
+
+func test_at_the_opening_both_sway_together_and_stay_level() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"class_or_value"))
+	OpeningMotion.is_allowed = false
+	var farthest := 0.0
+	for i: int in 40:
+		await get_tree().process_frame
+		var position := _arrow("%Position/Arrow")
+		var value := _arrow("%Value/Arrow")
+		farthest = maxf(farthest, absf(position.head.x - position.tail.x - 2.0))
+		assert_almost_eq(position.head - position.tail, value.head - value.tail, Vector2.ONE * 1e-5)
+		assert_almost_eq(position.head.y - position.tail.y, -3.0, 1e-5)
+	assert_gt(farthest, 0.3)
 
 
 func test_hidden_answers_hide_what_old_holds() -> void:

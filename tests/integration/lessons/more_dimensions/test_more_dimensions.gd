@@ -136,6 +136,18 @@ func test_the_table_comes_with_the_angle() -> void:
 	assert_does_not_read("cos α")
 
 
+func test_at_the_opening_the_axes_turn_and_no_number_changes() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"more_dimensions"))
+	OpeningMotion.is_allowed = false
+	var first := _numbers("view")[0]
+	for i: int in 40:
+		await get_tree().process_frame
+	assert_gt(_numbers("view")[0], first + 0.1)
+	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+
+
 func test_hidden_answers_hide_the_angle_everywhere() -> void:
 	await student.press(&"lab_hide_answers")
 	assert_has(_formula_lines(), "a · b ? 0:  ?")
