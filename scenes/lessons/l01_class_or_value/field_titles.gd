@@ -45,8 +45,8 @@ func show_fields(left_origin: Vec2, right_origin: Vec2, sentences: PackedStringA
 	show_change()
 
 
-## The middle of each title in pixels from the left of the board: above its origin, but never outside
-## of its half of the board.
+## The middle of each title in pixels from the left of the board: above its origin, but never
+## outside of its half of the board.
 func title_places() -> PackedFloat32Array:
 	var quarter := board.size.x / 4.0
 	var room := maxf(quarter - HALF_TITLE, 0.0)

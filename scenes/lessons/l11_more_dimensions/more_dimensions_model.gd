@@ -84,8 +84,8 @@ func exact_cosine() -> DoubleDouble:
 	return ComponentLists.exact_dot(counted_a(), counted_b()).divided(squares.square_root())
 
 
-## The angle between both in degrees, 0..180; 90 where there is none. It is not the arc cosine, which
-## keeps only half of the digits near 0 and 180.
+## The angle between both in degrees, 0..180; 90 where there is none. It is not the arc cosine,
+## which keeps only half of the digits near 0 and 180.
 func angle_degrees() -> float:
 	if side() == Side.RIGHT:
 		return 90.0

@@ -1,7 +1,8 @@
 extends LessonJudge
 ## Judges what the lesson on the easy bounce says in the frame that is shown.
 ##
-## The frames before frame 0 are free flight; after it the easy program leads the ball that is shown.
+## The frames before frame 0 are free flight; after it the easy program leads the ball that is
+## shown.
 ## A wall is judged as the floor that it becomes when x and y change places.
 
 # What a sum of doubles may be off by, as a share of its terms.
