@@ -151,8 +151,8 @@ func test_what_each_step_says_in_each_frame_is_true() -> void:
 			await go_to_step(step)
 			for i: int in 9:
 				await click_button("One frame on")
-				var seen := SeenLesson.of(frame())
-				assert_eq(judge.problem(seen), "", "%s, step %d, %s" % [tilt, step + 1, seen.lines])
+				var what := SeenLesson.of(frame())
+				assert_eq(judge.problem(what), "", "%s, step %d, %s" % [tilt, step + 1, what.lines])
 
 
 # Rounding would be 1.4e-14 here.
