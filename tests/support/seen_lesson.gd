@@ -84,7 +84,7 @@ func _read_board(part: Node) -> void:
 		verdict_sign = (part.get_node("%Sign") as Label).text
 		verdict = (part.get_node("%Words") as Label).text.split("\n")
 		return
-	for property: StringName in [&"label", &"text"]:
+	for property: StringName in [&"label", &"text", &"left_sentence", &"right_sentence"]:
 		var text: Variant = part.get(property)
 		if text is String and text:
 			labels.append(str(text))

@@ -17,7 +17,7 @@ const _NAME := "\\{(\\w+)\\}"
 # Between two statements in a line there is a wide gap.
 const _GAP := "\\s{3,}"
 
-## Shows `?` in place of each number that cannot be typed over.
+## Shows `?` in place of each number that cannot be typed over, and of other answers.
 var hides_numbers := false:
 	set(value):
 		hides_numbers = value
@@ -27,6 +27,8 @@ var _roles: Dictionary[String, Palette.Role] = {}
 var _symbols: Dictionary[String, String] = {}
 var _titles: Dictionary[String, String] = {}
 var _texts: Dictionary[String, String] = {}
+# The names of texts that are answers.
+var _answers: PackedStringArray = []
 var _numbers: Dictionary[String, FormulaStatement.Number] = {}
 var _shown: PackedStringArray = []
 # The statements that are shown, and for each the labels and fields of its names.
@@ -77,6 +79,13 @@ func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
 	_set_role(name_in_line, role)
 	_numbers.erase(name_in_line)
 	_texts[name_in_line] = text
+
+
+## A text that is an answer: it is hidden as numbers are.
+func put_answer(name_in_line: String, text: String, role: Palette.Role) -> void:
+	put_text(name_in_line, text, role)
+	if not name_in_line in _answers:
+		_answers.append(name_in_line)
 
 
 ## Shows these lines from top to bottom, with what has been put in.
@@ -193,4 +202,5 @@ func _fill(statement: int) -> void:
 		elif _numbers.has(name_in_line):
 			(part as Label).text = "?" if hides_numbers else texts[i]
 		elif _texts.has(name_in_line):
-			(part as Label).text = _texts[name_in_line]
+			var is_hidden := hides_numbers and name_in_line in _answers
+			(part as Label).text = "?" if is_hidden else _texts[name_in_line]

@@ -19,7 +19,7 @@ const _ZERO := 1e-12
 const _FEW_DIGITS := 5
 
 # What a student types is this long at most; a longer number comes from a drag or a turn.
-const _LONGEST_TYPED := 10
+const _LONGEST_TYPED := 11
 # The numbers of digits to try; a double needs 17 at most.
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"

@@ -66,6 +66,119 @@ const _CASES: Array[Dictionary] = [
 		rows = [[["from p", "−60", "0"]], [["from p", "60", "0"]]],
 		labels = [["behind", "gap −90"], ["too close"], ["gap −60"], ["segment 90"]],
 	},
+	{
+		id = &"class_or_value",
+		state = {position = [4, -4], old = [2, -3], copies = false},
+		step = [3],
+		sentence =
+		[
+			"Why Vec2? It keeps 64 bits of each number, Vector2 only 32.",
+			"set_xy changes only the first Vec2. old is a copy and stays, just like old_value.",
+			"something new",
+		],
+		rows =
+		[
+			[["Vector2, 1000 times", "99.999046", "0.00095", "15 ns"]],
+			[["Vector2, 1000 times", "100", "0.00095", "15 ns"]],
+			[["Vector2, 1000 times", "99.999046", "0.0095", "15 ns"]],
+			[["Vec2, 10 times", "1", "0", "15 ns"]],
+		],
+		labels =
+		[
+			["position", "old", "two names, one object", "two names, two values"],
+			["two names, two objects"],
+			["one name, one object"],
+			["new"],
+		],
+		notice = ["", "cannot be taken"],
+	},
+	{
+		id = &"easy_bounce",
+		state = {ball = [0, 4, 20, 48, 60], pivot = [0, 40], tilt_degrees = 30.0, is_wall = false},
+		step = [4],
+		verdict_sign = ["✗", "✓", "=", "?"],
+		verdict =
+		[
+			["Frame 1:", "the easy ball is 61.2 px off"],
+			["Frame 0:", "the easy ball is 61.2 px off"],
+			["Frame 1:", "the easy ball is 14.4 px off"],
+			["Frame 1:", "both balls are in one place"],
+			["The easy way is right", "in all three steps"],
+			["something new"],
+			[],
+		],
+		sentence =
+		[
+			"Play it, frame by frame: the easy ball goes astray.",
+			"Here both programs do the same. Move the ball, or tilt the line.",
+			"Flip: only the part of v along the normal n̂ changes its sign, or y.",
+			"something new",
+		],
+		rows =
+		[
+			[
+				["easy distance", "119.5", "16"],
+				["by the normal", "103.5", "0"],
+				["easy place", "(20, −68)", "0"],
+				["easy velocity", "(20, −48)", "0"],
+			],
+			[
+				["easy distance", "119.5", "16"],
+				["by the normal", "103.5", "0"],
+				["easy place", "(20, −60)", "0"],
+				["easy velocity", "(20, −48)", "0"],
+			],
+			[
+				["easy distance", "119.5", "16"],
+				["by the normal", "119.5", "0"],
+				["easy place", "(20, −68)", "0"],
+				["easy velocity", "(20, −48)", "0"],
+			],
+			[["easy distance", "119.5", "16"]],
+		],
+		lines =
+		[
+			["r = 60     tilt = 30°     frame 1", "easy: 119.5 > r = 60: no hit"],
+			["r = 60     tilt = 30°     frame 1", "easy: 36 < r = 60: hit"],
+			["r = 60     tilt = 30°     frame 2", "easy: 119.5 > r = 60: no hit"],
+		],
+		labels = [["right", "easy", "v"], ["before"], ["flipped"], ["new"]],
+	},
+	{
+		id = &"more_dimensions",
+		state = {a = [4, -3, 2, 1], b = [-3, 2, 1, -4], has_four = false},
+		step = [4],
+		sentence =
+		[
+			"For the angle itself, divide by both lengths: that is its cosine.",
+			"A zero vector has no direction: there is no angle.",
+			"Its sign alone tells the angle. Above 90°, the shadow p of a points against b.",
+			"something new",
+		],
+		labels =
+		[
+			["x", "p", "a · b < 0\nthe angle is above 90°"],
+			["a · b > 0\nthe angle is above 90°"],
+			["a · b < 0\nthe angle is below 90°"],
+			["a · b < 0\na zero vector makes no angle"],
+			["Four axes do not fit into a picture. The formula is the same."],
+			["q"],
+		],
+		rows =
+		[
+			[["a · b", "−16", "0"], ["cos α", "−0.794", "2.2e−17"]],
+			[["a · b", "−15", "0"]],
+			[["cos α", "0.794", "0"]],
+			[["cos α", "−0.794", "0.1"]],
+			[["sin α", "0.6", "0"]],
+		],
+		lines =
+		[
+			["a · b < 0:  the angle is above 90°", "α = 142.6°"],
+			["a · b < 0:  a right angle"],
+			["α = 142.4°"],
+		],
+	},
 ]
 
 
