@@ -84,8 +84,7 @@ func _put_both_vectors(model: DotProductModel) -> void:
 
 # The first line says what is rounding; in those after it that is 0.
 func _put_dot(model: DotProductModel, is_moving: bool) -> void:
-	var terms := absf(model.a().x * model.b().x) + absf(model.a().y * model.b().y)
-	var is_rounding := absf(model.dot()) <= FormulaStatement.ROUNDING * terms
+	var is_rounding := model.is_dot_zero()
 	var unrounded := model.dot() if not (is_rounding and is_moving) else 0.0
 	_formula.put_number("dot", unrounded, Palette.Role.INK)
 	_formula.put_number("dot_used", 0.0 if is_rounding else model.dot(), Palette.Role.INK)

@@ -63,8 +63,10 @@ static func verdict(model: DotProductModel) -> PackedStringArray:
 			LabText.translate("No projection"),
 			_with_letters(LabText.translate("{w} is zero: it has no direction"), model),
 		]
-	var scalar := NumberText.short(model.scalar_projection())
-	return [LabText.translate("Scalar projection %s") % scalar, _what_it_says(model)]
+	var scalar := 0.0 if model.is_dot_zero() else model.scalar_projection()
+	return [
+		LabText.translate("Scalar projection %s") % NumberText.short(scalar), _what_it_says(model)
+	]
 
 
 static func _what_it_says(model: DotProductModel) -> String:
@@ -74,13 +76,21 @@ static func _what_it_says(model: DotProductModel) -> String:
 		var sentence := _with_letters(
 			LabText.translate("wrong: |{w}| = %s times the right one"), model
 		)
-		return sentence % NumberText.short(model.onto().length())
+		return sentence % _not_one(model.onto().length())
 	var by_sign: PackedStringArray = [
 		LabText.translate("negative: the angle is above 90°"),
 		LabText.translate("zero: the angle is 90°"),
 		LabText.translate("positive: the angle is below 90°"),
 	]
 	return by_sign[model.side() + 1]
+
+
+# With as many digits as tell the length from 1.
+static func _not_one(length: float) -> String:
+	for digits in range(4, 17):
+		if NumberText.rounded(length, digits) != 1.0:
+			return NumberText.short(length, digits)
+	return NumberText.all_digits(length)
 
 
 static func _first_sentences() -> PackedStringArray:

@@ -91,6 +91,8 @@ func _problem_of_card(seen: SeenLesson) -> String:
 		var times := SeenLesson.number_behind("wrong: |%s| =" % _w_letter, line)
 		if not is_nan(times) and not SeenLesson.is_close(times, _w_length, 0.0):
 			return "|%s| is %s: “%s”" % [_w_letter, _w_length, line]
+		if times == 1.0:
+			return "once is not wrong: “%s”" % line
 	return _problem_of_sign(seen.verdict_sign)
 
 
@@ -141,15 +143,17 @@ func _problem_of_sentence(sentence: String) -> String:
 
 # Value and error, in this order; the error is what the value is off by.
 func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
+	if _w_length == 0.0 and not rows.is_empty():
+		return "there is no projection: “%s”" % "  ".join(rows[0])
 	for row in rows:
 		var value := SeenLesson.first_number(row[1])
 		var error := SeenLesson.first_number(row[2])
-		var right := _dot / _w_length if _w_length > 0.0 else 0.0
+		var right := _dot / _w_length
 		var off := _ROUNDING * _u_length + 1.1 * error
 		if is_nan(value) or not SeenLesson.is_close(value, right, off):
 			return "it is %s: “%s”" % [right, "  ".join(row)]
 		if row[0].ends_with("by the dot product"):
-			if not SeenLesson.is_close(value, _scalar() if _w_length > 0.0 else 0.0, off):
+			if not SeenLesson.is_close(value, _scalar(), off):
 				return "it is %s: “%s”" % [_scalar(), "  ".join(row)]
 	return ""
 

@@ -141,6 +141,30 @@ func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 	assert_reads("equal to the last bit")
 
 
+func test_without_a_direction_nothing_is_drawn_or_compared() -> void:
+	await click_button("Zero")
+	assert_false((frame().lesson.services[&"readout"] as Control).is_visible_in_tree())
+	for step: int in ProjectionProofTexts.Step.size():
+		await go_to_step(step)
+		for part: String in ["%XOfA", "%XOfB", "%TurnedP", "%Plot"]:
+			assert_false((frame().lesson.get_node(part) as CanvasItem).visible, part)
+
+
+func test_near_a_right_angle_only_rounding_is_said_to_be_rounding() -> void:
+	await click_button("Right angle")
+	assert_reads("Both mean 0: only rounding is left")
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "3.000000001")
+	assert_does_not_read("Both mean 0")
+	assert_reads("units in the last place apart")
+
+
+func test_the_shadow_is_not_asked_for_where_another_choice_is_as_long() -> void:
+	await student.enter(Screen.named(screen(), "y of b") as LineEdit, "0")
+	await go_to_step(ProjectionProofTexts.Step.TURN)
+	await student.press(&"lab_next_step")
+	assert_eq(frame().lesson.step, ProjectionProofTexts.Step.READ_OFF)
+
+
 func test_the_turn_is_asked_for_before_it_is_shown() -> void:
 	await _go_to_first_step()
 	await student.press(&"lab_next_step")
@@ -150,7 +174,7 @@ func test_the_turn_is_asked_for_before_it_is_shown() -> void:
 	assert_reads("Exactly.")
 	await _finish_turning()
 	await student.press(&"lab_next_step")
-	await click_button("the y of a′")
+	await click_button("the x of a")
 	assert_reads("it is the x of a′")
 
 
