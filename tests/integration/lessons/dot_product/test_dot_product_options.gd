@@ -103,8 +103,11 @@ func test_a_mistake_that_changes_nothing_is_not_called_wrong() -> void:
 
 
 func test_what_only_rounding_leaves_is_a_right_angle() -> void:
-	for numbers: Array in [["x of a", "3"], ["y of a", "4"], ["x of b", "0.8"], ["y of b", "-0.6"]]:
-		await student.enter(field(numbers[0] as String), numbers[1] as String)
+	var numbers: Dictionary[String, String] = {
+		"x of a": "3", "y of a": "4", "x of b": "0.8", "y of b": "-0.6"
+	}
+	for title: String in numbers:
+		await student.enter(field(title), numbers[title])
 	assert_reads("Scalar projection 0\nzero: the angle is 90°")
 	assert_eq(_sign(), "0")
 	assert_has(formula_lines(), "a · b̂ = 0 / 1 = 0")

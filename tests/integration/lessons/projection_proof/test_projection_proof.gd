@@ -151,11 +151,15 @@ func test_without_a_direction_nothing_is_drawn_or_compared() -> void:
 
 
 func test_near_a_right_angle_only_rounding_is_said_to_be_rounding() -> void:
-	await click_button("Right angle")
+	var numbers: Dictionary[String, String] = {
+		"x of a": "1", "y of a": "3", "x of b": "-3", "y of b": "1"
+	}
+	for title: String in numbers:
+		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
 	assert_reads("Both mean 0: only rounding is left")
-	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "3.000000001")
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "1.000000001")
 	assert_does_not_read("Both mean 0")
-	assert_reads("units in the last place apart")
+	assert_reads("1.074e9 units in the last place apart")
 
 
 func test_the_shadow_is_not_asked_for_where_another_choice_is_as_long() -> void:
