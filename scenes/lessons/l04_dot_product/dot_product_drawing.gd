@@ -34,7 +34,7 @@ func show_model(model: DotProductModel, step: int) -> void:
 	# What has no direction has no arc.
 	_angle.visible = _angle.visible and step >= DotProductTexts.Step.SCALAR
 	for arc: AngleArc in [_alpha, _beta]:
-		arc.visible = arc.visible and step == DotProductTexts.Step.PRIMITIVE
+		arc.visible = _angle.visible and arc.visible and step == DotProductTexts.Step.PRIMITIVE
 
 
 func _lay_angles(model: DotProductModel) -> void:

@@ -7,6 +7,7 @@ const _CASES: Array[Dictionary] = [
 	{
 		id = &"dot_product",
 		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
+		step = [4],
 		verdict_sign = ["−", "+", "0", "✗"],
 		verdict =
 		[
@@ -23,12 +24,54 @@ const _CASES: Array[Dictionary] = [
 			"What is left of b, the rest b − p, is perpendicular to a.",
 			"b is zero: it has no direction, and no shadow falls on it.",
 		],
+		labels = [["a", "b\u0302", "p", "a − p"], ["b − p"], ["â"], ["α = "], ["q"]],
+		rows = [[], [["by atan2 and cos", "−5.2", "8e−16"]]],
+		notice = ["", "something"],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
+		step = [6, 1],
+		verdict_sign = ["−"],
+		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"], []],
+		sentence =
+		[
+			"The primitive way: the angle of each by atan2, then the cosine of their difference.",
+			"The dot product holds the angle φ: it is |a| |b| cos φ, and cos φ for unit vectors.",
+		],
 		rows = [[["by atan2 and cos", "−5.2", "8e−16"]], [["by atan2 and cos", "−5", "8e−16"]]],
-		labels = [["a − p"], ["b − p"]],
+		labels = [["α = ", "β = ", "φ = "], ["a − p"]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [7, 1], b = [0, 0], is_swapped = false, normalizes = true},
+		step = [6],
+		verdict_sign = ["0", "+"],
+		verdict =
+		[
+			["No projection", "b is zero: it has no direction"],
+			["Scalar projection 0", "zero: the angle is 90°"],
+		],
+		sentence = ["b is zero: it has no direction, and no shadow falls on it."],
+		rows = [[], [["by atan2 and cos", "0", "0"]]],
+		labels = [["a", "b"], ["p"], ["α = "]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [7, 1], b = [1.00001, 0], is_swapped = false, normalizes = false},
+		step = [3],
+		verdict_sign = ["✗"],
+		verdict =
+		[
+			["Scalar projection 7", "wrong: |b| = 1.00001 times the right one"],
+			["Scalar projection 7", "wrong: |b| = 1 times the right one"],
+		],
+		sentence = ["That times b is |b|² times the shadow: the length comes in twice."],
 	},
 	{
 		id = &"dot_product",
 		state = {a = [7, 1], b = [0, 0.5], is_swapped = false, normalizes = false},
+		step = [4],
 		verdict_sign = ["✗", "+"],
 		verdict =
 		[
@@ -41,12 +84,11 @@ const _CASES: Array[Dictionary] = [
 			"The rest a − p is not perpendicular to b: that is how a test finds the mistake.",
 			"With these numbers the mistake changes nothing: a test needs others.",
 		],
-		rows =
-		[[["a · b by the dot product", "0.5", "0.5"]], [["a · b by the dot product", "1", "0"]]],
 	},
 	{
 		id = &"normals",
 		state = {line = [0, 0, 3, -4], times = 2.0, is_y_up = false, mistake = 0},
+		step = [4, 3, 0],
 		verdict_sign = ["+", "0", "✗", "="],
 		verdict =
 		[
@@ -56,21 +98,43 @@ const _CASES: Array[Dictionary] = [
 			["The zero vector", "has no normal: it is 0."],
 			["+90° turns clockwise", "(y, −x): −90°, the other side"],
 			["+90° turns clockwise", "something new"],
+			[],
 		],
 		sentence =
 		[
+			"One pixel is too short to see, so draw a multiple of n̂.",
 			"A line has a direction: v = end − start. Drag its ends, or all of it.",
-			"(y, −x) is the opposite normal. Choose one of the two and keep to it.",
-			"v is zero: a point has no direction. Drag its end away.",
+			"v is zero: there is no n̂ to draw.",
 			"Mistake 9 is on: n, and what two wrong formulas make of v.",
 		],
-		labels = [["n", "2 n̂"], ["n", "3 n̂"], ["✗ (0, 0)"]],
+		labels = [["v", "n", "−n", "n̂", "2 n̂"], ["3 n̂"], ["✗ (0, 0)"], ["✗ (y, x)"], ["q"]],
 		rows =
 		[
 			[["by the angle", "(0.8, 0.6)", "1e−16"]],
 			[["by the angle", "(0.6, 0.8)", "1e−16"]],
 			[["by the angle", "(0.8, 0.6)", "1"]],
+			[],
 		],
+		notice = ["", "something"],
+	},
+	{
+		id = &"normals",
+		state = {line = [0, 0, 0.3, 0.4], times = 2.0, is_y_up = false, mistake = 7},
+		step = [0],
+		verdict_sign = ["✗", "="],
+		verdict =
+		[
+			["wrong: (0, 0)", "right: (−0.8, 0.6)"],
+			["wrong: (0, 0)", "right: (0.8, −0.6)"],
+			["Here the mistake", "does not show"],
+		],
+		sentence =
+		[
+			"Mistake 7 is on: int() cuts the length to 0.",
+			"Mistake 7 is on. Only a v shorter than 1 shows it, and not zero.",
+			"A line has a direction: v = end − start. Drag its ends, or all of it.",
+		],
+		labels = [["v", "n", "n̂", "✗ (0, 0)"], ["−n"], ["✗ (y, x)"]],
 	},
 	{
 		id = &"projection_proof",

@@ -1,8 +1,12 @@
 extends LessonJudge
 ## Judges what the lesson on the dot product says.
 
+enum _Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-14
+
+const _HATS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
 
 var _u_letter: String
 var _w_letter: String
@@ -18,9 +22,10 @@ func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	for found: String in [
 		_problem_of_card(seen),
-		_problem_of_sentence(seen.sentence),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels),
+		_problem_of_sentence(seen),
+		_problem_of_rows(seen),
+		false_label(seen.labels, _claims_of_labels(seen.step)),
+		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
 	]:
 		if found:
 			return found
@@ -66,6 +71,8 @@ func _can_be_wrong() -> bool:
 
 
 func _problem_of_card(seen: SeenLesson) -> String:
+	if seen.verdict.is_empty() != (seen.step < _Step.SCALAR):
+		return "the card comes with the scalar projection, not at step %d" % (seen.step + 1)
 	if seen.verdict.is_empty():
 		return ""
 	var has_both := _u_length > 0.0 and _w_length > 0.0
@@ -110,27 +117,35 @@ func _problem_of_sign(sign_text: String) -> String:
 	return "" if is_so else "the ball of the card has a “%s”" % sign_text
 
 
-func _problem_of_sentence(sentence: String) -> String:
+func _problem_of_sentence(seen: SeenLesson) -> String:
+	var sentence := seen.sentence
+	var step := seen.step
 	var has_w := _w_length > 0.0
 	var ends_at_head := absf(_dot - _w_length * _w_length) <= 1e-8 * _w_length * _w_length
-	var hats: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
-	var letters := {u = _u_letter, w = _w_letter, e = hats[_w_letter]}
+	var is_right := has_w and _normalizes
+	var is_wrong := has_w and not _normalizes
+	var letters := {u = _u_letter, w = _w_letter, e = _HATS[_w_letter]}
 	var claims: Dictionary[String, bool] = {
-		"A vector is a difference": true,
-		"{w} is zero: it has no direction, and no shadow": not has_w,
-		"{u} is zero: it has no direction, and there is no angle": has_w and _u_length == 0.0,
-		"Divide {w} by its length": has_w and _normalizes,
-		"The dot product with {e} is the scalar projection": has_w and _normalizes,
-		"{e} times the scalar projection is": has_w and _normalizes and not ends_at_head,
-		"Here it is {w} itself": has_w and _normalizes and ends_at_head,
-		"What is left of {u}, the rest {u} − p, is perpendicular to {w}": has_w and _normalizes,
-		"Here {w} is NOT divided by its length": has_w and not _normalizes,
-		"The dot product with {w} itself": has_w and not _normalizes,
-		"That times {w} is |{w}|² times the shadow": has_w and not _normalizes,
-		"The rest {u} − p is not perpendicular to {w}": has_w and _can_be_wrong(),
-		"the mistake changes nothing": has_w and not _normalizes and not _mistake_shows(),
-		"The dot product holds the angle": has_w and _u_length > 0.0,
-		"The primitive way": has_w and _u_length > 0.0,
+		"A vector is a difference": step == _Step.VECTORS,
+		"{w} is zero: it has no direction, and no shadow": not has_w and step > _Step.VECTORS,
+		"{u} is zero: it has no direction, and there is no angle":
+		has_w and _u_length == 0.0 and step >= _Step.ANGLE,
+		"Divide {w} by its length": is_right and step == _Step.UNIT,
+		"The dot product with {e} is the scalar projection": is_right and step == _Step.SCALAR,
+		"{e} times the scalar projection is":
+		is_right and step == _Step.PROJECTION and not ends_at_head,
+		"Here it is {w} itself": is_right and step == _Step.PROJECTION and ends_at_head,
+		"What is left of {u}, the rest {u} − p, is perpendicular to {w}":
+		is_right and step == _Step.REJECTION,
+		"Here {w} is NOT divided by its length": is_wrong and step == _Step.UNIT,
+		"The dot product with {w} itself": is_wrong and step == _Step.SCALAR,
+		"That times {w} is |{w}|² times the shadow": is_wrong and step == _Step.PROJECTION,
+		"The rest {u} − p is not perpendicular to {w}":
+		has_w and _can_be_wrong() and step == _Step.REJECTION,
+		"the mistake changes nothing":
+		is_wrong and not _mistake_shows() and step == _Step.REJECTION,
+		"The dot product holds the angle": has_w and _u_length > 0.0 and step == _Step.ANGLE,
+		"The primitive way": has_w and _u_length > 0.0 and step == _Step.PRIMITIVE,
 	}
 	var with_letters: Dictionary[String, bool] = {}
 	for words in claims:
@@ -142,9 +157,12 @@ func _problem_of_sentence(sentence: String) -> String:
 
 
 # Value and error, in this order; the error is what the value is off by.
-func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
-	if _w_length == 0.0 and not rows.is_empty():
-		return "there is no projection: “%s”" % "  ".join(rows[0])
+func _problem_of_rows(seen: SeenLesson) -> String:
+	var rows := seen.rows
+	if rows.is_empty():
+		return ""
+	if _w_length == 0.0 or seen.step != _Step.PRIMITIVE:
+		return "there is nothing to compare: “%s”" % "  ".join(rows[0])
 	for row in rows:
 		var value := SeenLesson.first_number(row[1])
 		var error := SeenLesson.first_number(row[2])
@@ -158,8 +176,16 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 	return ""
 
 
-func _problem_of_labels(labels: PackedStringArray) -> String:
-	for label in labels:
-		if label.ends_with(" − p") and label != "%s − p" % _u_letter:
-			return "the shadow is that of %s, not “%s”" % [_u_letter, label]
-	return ""
+func _claims_of_labels(step: int) -> Dictionary[String, bool]:
+	var has_w := _w_length > 0.0
+	var has_angle := has_w and _u_length > 0.0
+	return {
+		"a": true,
+		"b": true,
+		_HATS[_w_letter]: has_w and _normalizes and step >= _Step.UNIT,
+		"φ = ": has_angle and step >= _Step.SCALAR,
+		"p": has_w and step >= _Step.PROJECTION,
+		"%s − p" % _u_letter: has_w and _normalizes and step == _Step.REJECTION,
+		"α = ": has_angle and step == _Step.PRIMITIVE,
+		"β = ": has_angle and step == _Step.PRIMITIVE,
+	}
