@@ -43,8 +43,11 @@ static func uncut_text(length: float) -> String:
 
 
 static func _sentences(model: NormalsModel) -> PackedStringArray:
-	var turned := LabText.translate(
-		"Turn v with its triangle by +90°, %s: x now runs along y, and y against x. So n = (−y, x)."
+	var turned := (
+		LabText
+		. translate(
+			"Turn v with its triangle by +90°, %s: side x now runs along y, side y against x. So n = (−y, x)."
+		)
 	)
 	return [
 		LabText.translate("A line has a direction: v = end − start. Drag its ends, or all of it."),
@@ -73,9 +76,9 @@ static func _mistake_sentence(model: NormalsModel) -> String:
 	if model.mistake == NormalsMistakes.ZERO_VECTOR:
 		if model.has_direction():
 			return LabText.translate(
-				"Mistake 6 is on. Only a zero v shows it: drag the end to the start."
+				"Mistake 6 is on. It shows only if v is zero: drag the end to the start."
 			)
 		return LabText.translate("Mistake 6 is on: it divides by a length of 0.")
 	if model.is_mistaken():
 		return LabText.translate("Mistake 7 is on: int() cuts the length to 0.")
-	return LabText.translate("Mistake 7 is on. Only a v shorter than 1 shows it, and not zero.")
+	return LabText.translate("Mistake 7 is on. It shows only if v is shorter than 1, but not zero.")

@@ -119,6 +119,12 @@ func rejection() -> Vec2:
 	return shadowed().minus(vector_projection())
 
 
+## Whether [method rejection] is zero but for rounding: both vectors lie along the same line.
+func leaves_nothing() -> bool:
+	var parts := shadowed().length() + vector_projection().length()
+	return rejection().length() <= _ROUNDING * parts
+
+
 ## The foot of the perpendicular from [param point] on the line along [method onto].
 func foot(point: Vec2) -> Vec2:
 	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))

@@ -98,7 +98,7 @@ static func _first_sentences() -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"A vector is a difference: head minus tail. Drag them, or click: left for a, right for b."
+				"A vector is a difference: head minus tail. Drag a and b, or click: left for a, right for b."
 			)
 		)
 	]
@@ -113,7 +113,7 @@ static func _right_sentences(model: DotProductModel) -> PackedStringArray:
 			"The dot product with {e} is the scalar projection: how far {u} reaches along {w}."
 		),
 		_on_projection(model),
-		LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
+		_on_rest(model),
 	]
 
 
@@ -126,6 +126,12 @@ static func _on_projection(model: DotProductModel) -> String:
 	return LabText.translate(
 		"{e} times the scalar projection is the vector projection p: the shadow of {u} on {w}."
 	)
+
+
+static func _on_rest(model: DotProductModel) -> String:
+	if model.leaves_nothing():
+		return LabText.translate("Nothing is left of {u} here: the rest {u} − p is zero.")
+	return LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}.")
 
 
 static func _wrong_sentences(model: DotProductModel) -> PackedStringArray:
@@ -154,11 +160,17 @@ static func _angle_sentences(model: DotProductModel) -> PackedStringArray:
 		)
 		return [no_angle, no_angle]
 	return [
-		LabText.translate(
-			"The dot product holds the angle φ: it is |a| |b| cos φ, and cos φ for unit vectors."
+		(
+			LabText
+			. translate(
+				"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ."
+			)
 		),
-		LabText.translate(
-			"The primitive way: the angle of each by atan2, then the cosine of their difference."
+		(
+			LabText
+			. translate(
+				"The primitive way: find both angles by atan2, then take the cosine of their difference."
+			)
 		),
 	]
 

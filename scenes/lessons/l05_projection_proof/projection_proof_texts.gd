@@ -80,7 +80,8 @@ static func comparison(model: ProjectionProofModel) -> PackedStringArray:
 
 
 static func _agreement(model: ProjectionProofModel) -> String:
-	var units := model.units_apart()
+	# Below a power of 2 the doubles are twice as close: half a unit is the least there.
+	var units := ceilf(model.units_apart())
 	if units == 0.0:
 		return LabText.translate("equal to the last bit")
 	if units == 1.0:

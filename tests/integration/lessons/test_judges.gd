@@ -23,6 +23,7 @@ const _CASES: Array[Dictionary] = [
 			"What is left of a, the rest a − p, is perpendicular to b.",
 			"What is left of b, the rest b − p, is perpendicular to a.",
 			"b is zero: it has no direction, and no shadow falls on it.",
+			"Nothing is left of a here: the rest a − p is zero.",
 		],
 		labels = [["a", "b\u0302", "p", "a − p"], ["b − p"], ["â"], ["α = "], ["q"]],
 		rows = [[], [["by atan2 and cos", "−5.2", "8e−16"]]],
@@ -36,8 +37,8 @@ const _CASES: Array[Dictionary] = [
 		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"], []],
 		sentence =
 		[
-			"The primitive way: the angle of each by atan2, then the cosine of their difference.",
-			"The dot product holds the angle φ: it is |a| |b| cos φ, and cos φ for unit vectors.",
+			"The primitive way: find both angles by atan2, then take the cosine of their difference.",
+			"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ.",
 		],
 		rows = [[["by atan2 and cos", "−5.2", "8e−16"]], [["by atan2 and cos", "−5", "8e−16"]]],
 		labels = [["α = ", "β = ", "φ = "], ["a − p"]],
@@ -131,7 +132,7 @@ const _CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"Mistake 7 is on: int() cuts the length to 0.",
-			"Mistake 7 is on. Only a v shorter than 1 shows it, and not zero.",
+			"Mistake 7 is on. It shows only if v is shorter than 1, but not zero.",
 			"A line has a direction: v = end − start. Drag its ends, or all of it.",
 		],
 		labels = [["v", "n", "n̂", "✗ (0, 0)"], ["−n"], ["✗ (y, x)"]],

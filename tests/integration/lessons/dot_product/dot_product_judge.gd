@@ -13,6 +13,8 @@ var _w_letter: String
 var _u_length: float
 var _w_length: float
 var _dot: float
+# How long the rest is.
+var _rest: float
 # What the dot product may be off by.
 var _off: float
 var _normalizes: bool
@@ -43,6 +45,9 @@ func _take(state: Dictionary) -> void:
 	_u_length = sqrt(u[0] * u[0] + u[1] * u[1])
 	_w_length = sqrt(w[0] * w[0] + w[1] * w[1])
 	_dot = u[0] * w[0] + u[1] * w[1]
+	_rest = 0.0
+	if _w_length > 0.0:
+		_rest = absf(u[0] * w[1] - u[1] * w[0]) / _w_length
 	_off = _ROUNDING * (absf(u[0] * w[0]) + absf(u[1] * w[1]))
 
 
@@ -136,7 +141,9 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 		is_right and step == _Step.PROJECTION and not ends_at_head,
 		"Here it is {w} itself": is_right and step == _Step.PROJECTION and ends_at_head,
 		"What is left of {u}, the rest {u} − p, is perpendicular to {w}":
-		is_right and step == _Step.REJECTION,
+		is_right and step == _Step.REJECTION and _rest > 0.0,
+		"Nothing is left of {u} here: the rest {u} − p is zero":
+		is_right and step == _Step.REJECTION and _rest <= _ROUNDING * _u_length,
 		"Here {w} is NOT divided by its length": is_wrong and step == _Step.UNIT,
 		"The dot product with {w} itself": is_wrong and step == _Step.SCALAR,
 		"That times {w} is |{w}|² times the shadow": is_wrong and step == _Step.PROJECTION,
@@ -185,7 +192,7 @@ func _claims_of_labels(step: int) -> Dictionary[String, bool]:
 		_HATS[_w_letter]: has_w and _normalizes and step >= _Step.UNIT,
 		"φ = ": has_angle and step >= _Step.SCALAR,
 		"p": has_w and step >= _Step.PROJECTION,
-		"%s − p" % _u_letter: has_w and _normalizes and step == _Step.REJECTION,
+		"%s − p" % _u_letter: has_w and _normalizes and step == _Step.REJECTION and _rest > 0.0,
 		"α = ": has_angle and step == _Step.PRIMITIVE,
 		"β = ": has_angle and step == _Step.PRIMITIVE,
 	}

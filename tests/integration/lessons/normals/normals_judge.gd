@@ -72,8 +72,8 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 	var is_zero := _mistake == 0 and _is_zero()
 	return {
 		"A line has a direction": is_plain and step == 0,
-		"+90°, clockwise: x now runs along y": is_plain and step == 1 and not _is_y_up,
-		"+90°, counter-clockwise: x now runs along y": is_plain and step == 1 and _is_y_up,
+		"+90°, clockwise: side x now runs along y": is_plain and step == 1 and not _is_y_up,
+		"+90°, counter-clockwise: side x now runs along y": is_plain and step == 1 and _is_y_up,
 		"(y, −x) is the opposite normal": is_plain and step == 2,
 		"Divide n by its length": is_plain and step == 3,
 		"One pixel is too short to see": is_plain and step == 4,
@@ -83,10 +83,11 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 		"v is zero: never divide by its length": is_zero and step == 3,
 		"v is zero: there is no n̂ to draw": is_zero and step == 4,
 		"Mistake 9 is on": _mistake == 9,
-		"Mistake 6 is on. Only a zero v shows it": _mistake == 6 and not _is_zero(),
+		"Mistake 6 is on. It shows only if v is zero": _mistake == 6 and not _is_zero(),
 		"Mistake 6 is on: it divides by a length of 0": _mistake == 6 and _is_zero(),
 		"Mistake 7 is on: int() cuts the length to 0": _mistake == 7 and _can_show(),
-		"Mistake 7 is on. Only a v shorter than 1": _mistake == 7 and _can_hide(),
+		"Mistake 7 is on. It shows only if v is shorter than 1, but not zero":
+		_mistake == 7 and _can_hide(),
 	}
 
 

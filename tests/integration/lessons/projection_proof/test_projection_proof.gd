@@ -48,7 +48,7 @@ func test_the_second_step_turns_the_drawing() -> void:
 func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	await _go_to_first_step()
 	var lines: PackedStringArray = [
-		"β = atan2((−6), 8) = −36.87°",
+		"β = atan2(−6, 8) = −36.87°",
 		"a′ = (5, 5)     b′ = (10, 0)",
 		"signed length of p = a′.x = 5",
 		"a′.x = 7·cos(−β) − 1·sin(−β)",
@@ -100,6 +100,20 @@ func test_what_is_seen_turned_can_be_dragged_turned() -> void:
 	assert_vec2(_vector("a"), Vec2.new(8, -6), 1e-9)
 
 
+func test_a_head_behind_the_graph_can_be_taken() -> void:
+	var numbers: Dictionary[String, String] = {
+		"x of a": "3", "y of a": "-5", "x of b": "-6", "y of b": "2"
+	}
+	for title: String in numbers:
+		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
+	await _finish_turning()
+	var head := frame().lesson.get_node("%HeadTurnedA") as Control
+	var plot := frame().lesson.get_node("%Plot") as Control
+	assert_true(plot.get_global_rect().intersects(head.get_global_rect()), "it is behind it")
+	await _drag(Vec2.new(-4.4272, 3.7947), Vec2.new(-4.4272, 0.0))
+	assert_almost_eq(_vector("a").cross(_vector("b")), 0.0, 1e-3)
+
+
 func test_arrow_keys_nudge_the_head_that_has_the_focus() -> void:
 	Screen.named(screen(), "Head of b").grab_focus()
 	await student.press(&"ui_left")
@@ -132,6 +146,13 @@ func test_sides_that_differ_show_their_difference_in_units_in_the_last_place() -
 	await click_button("One bit")
 	assert_reads("1 unit in the last place apart")
 	assert_has(_lines(), "a′.x − a · b̂ = 0 (rounding: 4.4e−16)")
+
+
+func test_neighbours_at_a_power_of_2_are_one_unit_apart() -> void:
+	await _drag(Vec2.new(8, -6), Vec2.new(0, 5))
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "-5")
+	await student.enter(Screen.named(screen(), "y of a") as LineEdit, "2")
+	assert_reads("a′.x = 1.9999999999999998\na · b\u0302 = 2\n1 unit in the last place apart")
 
 
 func test_a_zero_b_is_explained_and_loses_nothing() -> void:
