@@ -39,8 +39,8 @@ static func false_claim(texts: PackedStringArray, claims: Dictionary[String, boo
 	return ""
 
 
-## The first of [param labels] that is not one of [param claims], or is there where it should not be:
-## whole labels, each with whether it may be on the board.
+## The first of [param labels] that is not one of [param claims], or should not be there. The claims
+## say for whole labels whether they may be on the board.
 static func false_label(labels: PackedStringArray, claims: Dictionary[String, bool]) -> String:
 	for label in labels:
 		if not claims.has(label):

@@ -43,11 +43,8 @@ static func uncut_text(length: float) -> String:
 
 
 static func _sentences(model: NormalsModel) -> PackedStringArray:
-	var turned := (
-		LabText
-		. translate(
-			"Turn v with its triangle by +90°, %s: side x now runs along y, side y against x. So n = (−y, x)."
-		)
+	var turned := LabText.translate(
+		"Turn v and its triangle by +90°, %s: x now runs along y, y against x. So n = (−y, x)."
 	)
 	return [
 		LabText.translate("A line has a direction: v = end − start. Drag its ends, or all of it."),

@@ -143,8 +143,8 @@ func ends_at_head() -> bool:
 	return absf(shadowed().scalar_projection(onto()) - length) < 1e-9 * length
 
 
-## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees. 0 also where
-## only rounding is left.
+## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees. 0 also
+## where only rounding is left.
 func side() -> int:
 	return 0 if is_dot_zero() else int(signf(dot()))
 

@@ -1,7 +1,7 @@
 extends LessonJudge
 ## Judges what the lesson on the dot product says.
 
-enum _Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
 
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-14
@@ -23,7 +23,8 @@ var _normalizes: bool
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	for found: String in [
-		_problem_of_card(seen),
+		_problem_of_order(seen),
+		_problem_of_card(seen) if not seen.verdict.is_empty() else "",
 		_problem_of_sentence(seen),
 		_problem_of_rows(seen),
 		false_label(seen.labels, _claims_of_labels(seen.step)),
@@ -75,11 +76,13 @@ func _can_be_wrong() -> bool:
 	return not _normalizes and _dot != 0.0 and _w_length != 1.0
 
 
-func _problem_of_card(seen: SeenLesson) -> String:
-	if seen.verdict.is_empty() != (seen.step < _Step.SCALAR):
-		return "the card comes with the scalar projection, not at step %d" % (seen.step + 1)
-	if seen.verdict.is_empty():
+func _problem_of_order(seen: SeenLesson) -> String:
+	if seen.verdict.is_empty() == (seen.step < Step.SCALAR):
 		return ""
+	return "the card comes with the scalar projection, not at step %d" % (seen.step + 1)
+
+
+func _problem_of_card(seen: SeenLesson) -> String:
 	var has_both := _u_length > 0.0 and _w_length > 0.0
 	var w_is_zero := "%s is zero: it has no direction" % _w_letter
 	var u_is_zero := "zero: %s is zero, and so is its shadow" % _u_letter
@@ -131,28 +134,27 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 	var is_wrong := has_w and not _normalizes
 	var letters := {u = _u_letter, w = _w_letter, e = _HATS[_w_letter]}
 	var claims: Dictionary[String, bool] = {
-		"A vector is a difference": step == _Step.VECTORS,
-		"{w} is zero: it has no direction, and no shadow": not has_w and step > _Step.VECTORS,
+		"A vector is a difference": step == Step.VECTORS,
+		"{w} is zero: it has no direction, and no shadow": not has_w and step > Step.VECTORS,
 		"{u} is zero: it has no direction, and there is no angle":
-		has_w and _u_length == 0.0 and step >= _Step.ANGLE,
-		"Divide {w} by its length": is_right and step == _Step.UNIT,
-		"The dot product with {e} is the scalar projection": is_right and step == _Step.SCALAR,
+		has_w and _u_length == 0.0 and step >= Step.ANGLE,
+		"Divide {w} by its length": is_right and step == Step.UNIT,
+		"The dot product with {e} is the scalar projection": is_right and step == Step.SCALAR,
 		"{e} times the scalar projection is":
-		is_right and step == _Step.PROJECTION and not ends_at_head,
-		"Here it is {w} itself": is_right and step == _Step.PROJECTION and ends_at_head,
+		is_right and step == Step.PROJECTION and not ends_at_head,
+		"Here it is {w} itself": is_right and step == Step.PROJECTION and ends_at_head,
 		"What is left of {u}, the rest {u} − p, is perpendicular to {w}":
-		is_right and step == _Step.REJECTION and _rest > 0.0,
+		is_right and step == Step.REJECTION and _rest > 0.0,
 		"Nothing is left of {u} here: the rest {u} − p is zero":
-		is_right and step == _Step.REJECTION and _rest <= _ROUNDING * _u_length,
-		"Here {w} is NOT divided by its length": is_wrong and step == _Step.UNIT,
-		"The dot product with {w} itself": is_wrong and step == _Step.SCALAR,
-		"That times {w} is |{w}|² times the shadow": is_wrong and step == _Step.PROJECTION,
+		is_right and step == Step.REJECTION and _rest <= _ROUNDING * _u_length,
+		"Here {w} is NOT divided by its length": is_wrong and step == Step.UNIT,
+		"The dot product with {w} itself": is_wrong and step == Step.SCALAR,
+		"That times {w} is |{w}|² times the shadow": is_wrong and step == Step.PROJECTION,
 		"The rest {u} − p is not perpendicular to {w}":
-		has_w and _can_be_wrong() and step == _Step.REJECTION,
-		"the mistake changes nothing":
-		is_wrong and not _mistake_shows() and step == _Step.REJECTION,
-		"The dot product holds the angle": has_w and _u_length > 0.0 and step == _Step.ANGLE,
-		"The primitive way": has_w and _u_length > 0.0 and step == _Step.PRIMITIVE,
+		has_w and _can_be_wrong() and step == Step.REJECTION,
+		"the mistake changes nothing": is_wrong and not _mistake_shows() and step == Step.REJECTION,
+		"The dot product holds the angle": has_w and _u_length > 0.0 and step == Step.ANGLE,
+		"The primitive way": has_w and _u_length > 0.0 and step == Step.PRIMITIVE,
 	}
 	var with_letters: Dictionary[String, bool] = {}
 	for words in claims:
@@ -168,7 +170,7 @@ func _problem_of_rows(seen: SeenLesson) -> String:
 	var rows := seen.rows
 	if rows.is_empty():
 		return ""
-	if _w_length == 0.0 or seen.step != _Step.PRIMITIVE:
+	if _w_length == 0.0 or seen.step != Step.PRIMITIVE:
 		return "there is nothing to compare: “%s”" % "  ".join(rows[0])
 	for row in rows:
 		var value := SeenLesson.first_number(row[1])
@@ -189,10 +191,10 @@ func _claims_of_labels(step: int) -> Dictionary[String, bool]:
 	return {
 		"a": true,
 		"b": true,
-		_HATS[_w_letter]: has_w and _normalizes and step >= _Step.UNIT,
-		"φ = ": has_angle and step >= _Step.SCALAR,
-		"p": has_w and step >= _Step.PROJECTION,
-		"%s − p" % _u_letter: has_w and _normalizes and step == _Step.REJECTION and _rest > 0.0,
-		"α = ": has_angle and step == _Step.PRIMITIVE,
-		"β = ": has_angle and step == _Step.PRIMITIVE,
+		_HATS[_w_letter]: has_w and _normalizes and step >= Step.UNIT,
+		"φ = ": has_angle and step >= Step.SCALAR,
+		"p": has_w and step >= Step.PROJECTION,
+		"%s − p" % _u_letter: has_w and _normalizes and step == Step.REJECTION and _rest > 0.0,
+		"α = ": has_angle and step == Step.PRIMITIVE,
+		"β = ": has_angle and step == Step.PRIMITIVE,
 	}

@@ -72,8 +72,8 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 	var is_zero := _mistake == 0 and _is_zero()
 	return {
 		"A line has a direction": is_plain and step == 0,
-		"+90°, clockwise: side x now runs along y": is_plain and step == 1 and not _is_y_up,
-		"+90°, counter-clockwise: side x now runs along y": is_plain and step == 1 and _is_y_up,
+		"+90°, clockwise: x now runs along y": is_plain and step == 1 and not _is_y_up,
+		"+90°, counter-clockwise: x now runs along y": is_plain and step == 1 and _is_y_up,
 		"(y, −x) is the opposite normal": is_plain and step == 2,
 		"Divide n by its length": is_plain and step == 3,
 		"One pixel is too short to see": is_plain and step == 4,

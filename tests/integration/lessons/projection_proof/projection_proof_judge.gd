@@ -197,17 +197,24 @@ func _problem_of_rows(seen: SeenLesson) -> String:
 	if seen.step != _LAST_STEP or not _has_direction():
 		return "there is nothing to compare: “%s”" % "  ".join(seen.rows[0])
 	for row in seen.rows:
-		if not row[0] in ["x of a′", "a · %s" % _UNIT]:
-			return "no row is known for “%s”" % row[0]
-		var error := SeenLesson.first_number(row[2])
-		var off := _ROUNDING * _a_length
-		if not error <= off or error < 0.0:
-			return "the error cannot be %s: “%s”" % [error, "  ".join(row)]
-		if not SeenLesson.is_close(SeenLesson.first_number(row[1]), _turned_x, off):
-			return "it is %s: “%s”" % [_turned_x, "  ".join(row)]
+		var found := _problem_of_row(row)
+		if found:
+			return found
 	var is_equal := "equal to the last bit" in seen.verdict
 	if is_equal and seen.rows[0][2] != seen.rows[1][2]:
 		return "equal sides are off by the same: “%s”" % "  ".join(seen.rows[1])
+	return ""
+
+
+func _problem_of_row(row: PackedStringArray) -> String:
+	var error := SeenLesson.first_number(row[2])
+	var off := _ROUNDING * _a_length
+	if not row[0] in ["x of a′", "a · %s" % _UNIT]:
+		return "no row is known for “%s”" % row[0]
+	if not error <= off or error < 0.0:
+		return "the error cannot be %s: “%s”" % [error, "  ".join(row)]
+	if not SeenLesson.is_close(SeenLesson.first_number(row[1]), _turned_x, off):
+		return "it is %s: “%s”" % [_turned_x, "  ".join(row)]
 	return ""
 
 
