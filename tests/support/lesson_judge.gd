@@ -37,3 +37,14 @@ static func false_claim(texts: PackedStringArray, claims: Dictionary[String, boo
 		if not claims[found]:
 			return "it is not so: “%s”" % text
 	return ""
+
+
+## The first of [param labels] that is not one of [param claims], or should not be there. The claims
+## say for whole labels whether they may be on the board.
+static func false_label(labels: PackedStringArray, claims: Dictionary[String, bool]) -> String:
+	for label in labels:
+		if not claims.has(label):
+			return "no claim is known for the label “%s”" % label
+		if not claims[label]:
+			return "it should not be on the board: “%s”" % label
+	return ""

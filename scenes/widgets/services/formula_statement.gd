@@ -47,6 +47,8 @@ var _names: PackedStringArray = []
 var _variables: PackedStringArray = []
 # Between the signs of equality, with n0, n1, ... for the names.
 var _sides: PackedStringArray = []
+# The places of what stands alone between the parentheses and commas of a function.
+var _arguments: PackedInt32Array = []
 # How many components each name had when the following was found: 0 for a text.
 var _sizes: PackedInt32Array = []
 # For each side the place of its only number; -1 for a side that is more than one number.
@@ -80,7 +82,10 @@ func _init(template: String) -> void:
 		_names.append(found.get_string(1))
 		text += template.substr(at, found.get_start() - at) + _variables[-1]
 		at = found.get_end()
-	_sides = (text + template.substr(at)).split(" = ")
+	text += template.substr(at)
+	for found in RegEx.create_from_string("atan2\\(n(\\d+), n(\\d+)\\)").search_all(text):
+		_arguments.append_array([found.get_string(1).to_int(), found.get_string(2).to_int()])
+	_sides = text.split(" = ")
 
 
 ## How the names are written, in the order of the template, where [param numbers] has the numbers
@@ -100,7 +105,7 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 		else:
 			var number := numbers[_names[place]]
 			var scales: PackedFloat64Array = [number.scale, number.scale]
-			var is_alone := number.is_typed or place in _alone
+			var is_alone := number.is_typed or place in _alone or place in _arguments
 			found.append(_text(number, scales, _digits_of(number, digits), is_alone))
 	return found
 
@@ -238,7 +243,7 @@ static func _value(expression: Expression, inputs: Array[float]) -> float:
 	return value if value is float else NAN
 
 
-# A number that is alone, or a pair, needs no parentheses around a minus sign.
+# A number that is alone, an argument, or a pair, needs no parentheses around a minus sign.
 static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alone: bool) -> String:
 	var parts: PackedStringArray = []
 	var rounding := 0.0

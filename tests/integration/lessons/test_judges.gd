@@ -7,6 +7,7 @@ const _CASES: Array[Dictionary] = [
 	{
 		id = &"dot_product",
 		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
+		step = [4],
 		verdict_sign = ["−", "+", "0", "✗"],
 		verdict =
 		[
@@ -22,13 +23,56 @@ const _CASES: Array[Dictionary] = [
 			"What is left of a, the rest a − p, is perpendicular to b.",
 			"What is left of b, the rest b − p, is perpendicular to a.",
 			"b is zero: it has no direction, and no shadow falls on it.",
+			"Nothing is left of a here: the rest a − p is zero.",
+		],
+		labels = [["a", "b\u0302", "p", "a − p"], ["b − p"], ["â"], ["α = "], ["q"]],
+		rows = [[], [["by atan2 and cos", "−5.2", "8e−16"]]],
+		notice = ["", "something"],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
+		step = [6, 1],
+		verdict_sign = ["−"],
+		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"], []],
+		sentence =
+		[
+			"The primitive way: find both angles by atan2, then take the cosine of their difference.",
+			"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ.",
 		],
 		rows = [[["by atan2 and cos", "−5.2", "8e−16"]], [["by atan2 and cos", "−5", "8e−16"]]],
-		labels = [["a − p"], ["b − p"]],
+		labels = [["α = ", "β = ", "φ = "], ["a − p"]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [7, 1], b = [0, 0], is_swapped = false, normalizes = true},
+		step = [6],
+		verdict_sign = ["0", "+"],
+		verdict =
+		[
+			["No projection", "b is zero: it has no direction"],
+			["Scalar projection 0", "zero: the angle is 90°"],
+		],
+		sentence = ["b is zero: it has no direction, and no shadow falls on it."],
+		rows = [[], [["by atan2 and cos", "0", "0"]]],
+		labels = [["a", "b"], ["p"], ["α = "]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [7, 1], b = [1.00001, 0], is_swapped = false, normalizes = false},
+		step = [3],
+		verdict_sign = ["✗"],
+		verdict =
+		[
+			["Scalar projection 7", "wrong: |b| = 1.00001 times the right one"],
+			["Scalar projection 7", "wrong: |b| = 1 times the right one"],
+		],
+		sentence = ["That times b is |b|² times the shadow: the length comes in twice."],
 	},
 	{
 		id = &"dot_product",
 		state = {a = [7, 1], b = [0, 0.5], is_swapped = false, normalizes = false},
+		step = [4],
 		verdict_sign = ["✗", "+"],
 		verdict =
 		[
@@ -41,8 +85,134 @@ const _CASES: Array[Dictionary] = [
 			"The rest a − p is not perpendicular to b: that is how a test finds the mistake.",
 			"With these numbers the mistake changes nothing: a test needs others.",
 		],
+	},
+	{
+		id = &"normals",
+		state = {line = [0, 0, 3, -4], times = 2.0, is_y_up = false, mistake = 0},
+		step = [4, 3, 0],
+		verdict_sign = ["+", "0", "✗", "="],
+		verdict =
+		[
+			["+90° turns clockwise", "y points down"],
+			["+90° turns counter-clockwise", "y points down"],
+			["+90° turns clockwise", "y points up"],
+			["The zero vector", "has no normal: it is 0."],
+			["+90° turns clockwise", "(y, −x): −90°, the other side"],
+			["+90° turns clockwise", "something new"],
+			[],
+		],
+		sentence =
+		[
+			"One pixel is too short to see, so draw a multiple of n̂.",
+			"A line has a direction: v = end − start. Drag its ends, or all of it.",
+			"v is zero: there is no n̂ to draw.",
+			"Mistake 9 is on: n, and what two wrong formulas make of v.",
+		],
+		labels = [["v", "n", "−n", "n̂", "2 n̂"], ["3 n̂"], ["✗ (0, 0)"], ["✗ (y, x)"], ["q"]],
 		rows =
-		[[["a · b by the dot product", "0.5", "0.5"]], [["a · b by the dot product", "1", "0"]]],
+		[
+			[["by the angle", "(0.8, 0.6)", "1e−16"]],
+			[["by the angle", "(0.6, 0.8)", "1e−16"]],
+			[["by the angle", "(0.8, 0.6)", "1"]],
+			[],
+		],
+		notice = ["", "something"],
+	},
+	{
+		id = &"normals",
+		state = {line = [0, 0, 0.3, 0.4], times = 2.0, is_y_up = false, mistake = 7},
+		step = [0],
+		verdict_sign = ["✗", "="],
+		verdict =
+		[
+			["wrong: (0, 0)", "right: (−0.8, 0.6)"],
+			["wrong: (0, 0)", "right: (0.8, −0.6)"],
+			["Here the mistake", "does not show"],
+		],
+		sentence =
+		[
+			"Mistake 7 is on: int() cuts the length to 0.",
+			"Mistake 7 is on. It shows only if v is shorter than 1, but not zero.",
+			"A line has a direction: v = end − start. Drag its ends, or all of it.",
+		],
+		labels = [["v", "n", "n̂", "✗ (0, 0)"], ["−n"], ["✗ (y, x)"]],
+	},
+	{
+		id = &"projection_proof",
+		state = {a = [7, 1], b = [8, -6]},
+		step = [6],
+		verdict_sign = ["=", "≈", "0"],
+		verdict =
+		[
+			[
+				"a′.x = 5.000000000000001",
+				"a · b̂ = 5.000000000000001",
+				"equal to the last bit",
+			],
+			["a′.x = 5.000000000000001", "a · b̂ = 5", "equal to the last bit"],
+			["a′.x = 5.1", "a · b̂ = 5.1", "equal to the last bit"],
+			["a′.x = 5", "a · b̂ = 5", "Both mean 0: only rounding is left"],
+			["a′.x = 5", "a · b̂ = 5", "something new"],
+			["b is zero: no direction, no shadow"],
+		],
+		sentence =
+		[
+			"Both sides, computed in two ways: do they agree to the last bit?",
+			"b is zero: it has no direction, so there is no β. Drag b away.",
+			"Both turn by −β until b lies on the x axis.",
+			"The triangle of b holds cos β and sin β: its sides divided by |b|.",
+		],
+		rows =
+		[
+			[["x of a′", "5", "8.9e−16"], ["a · b̂", "5", "8.9e−16"]],
+			[["x of a′", "5", "8.9e−16"], ["a · b̂", "5", "0"]],
+			[["x of a′", "5", "0.1"], ["a · b̂", "5", "0.1"]],
+			[["x of a′", "7", "0"], ["a · b̂", "5", "0"]],
+			[["y of a′", "5", "0"], ["a · b̂", "5", "0"]],
+		],
+		lines =
+		[
+			["a′ = (5, 5)     b′ = (10, 0)"],
+			["a′ = (5, −5)     b′ = (10, 0)"],
+			["on the way: (7, 1)     (10, 0)"],
+			["on the way: (8, 1)     (8, −6)"],
+		],
+		labels = [["a", "b", "a′", "b′", "p"], ["ax"], ["bx"], ["β = "], ["q"]],
+		notice = ["", "something"],
+	},
+	{
+		id = &"projection_proof",
+		state = {a = [7, 1], b = [0, 0]},
+		step = [3],
+		verdict_sign = ["0", "="],
+		verdict = [["b is zero: no direction, no shadow"], ["a′.x = 0"], []],
+		sentence =
+		[
+			"b is zero: it has no direction, so there is no β. Drag b away.",
+			"Turning by −β gives a′.x. Use cos(−β) = cos β and sin(−β) = −sin β.",
+		],
+		labels = [["a", "b"], ["p"], ["a′"], ["ax"]],
+	},
+	{
+		id = &"projection_proof",
+		state = {a = [5, 1], b = [3, 4]},
+		step = [6],
+		verdict_sign = ["≈", "="],
+		verdict =
+		[
+			[
+				"a′.x = 3.8",
+				"a · b̂ = 3.8000000000000003",
+				"1 unit in the last place apart",
+			],
+			["a′.x = 3.8", "a · b̂ = 3.8000000000000003", "equal to the last bit"],
+			[
+				"a′.x = 3.8",
+				"a · b̂ = 3.8000000000000003",
+				"5 units in the last place apart",
+			],
+		],
+		sentence = ["Both sides, computed in two ways: do they agree to the last bit?"],
 	},
 	{
 		id = &"line_distance",

@@ -69,7 +69,7 @@ func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
 func test_an_angle_is_computed_in_degrees() -> void:
 	var statement := FormulaStatement.new("β = atan2({y}, {x}) = {beta}°")
 	_put({y = -16.87443648746824, x = 200.0, beta = rad_to_deg(atan2(-16.87443648746824, 200.0))})
-	_assert_texts(statement, ["(−16.874)", "200", "−4.823"])
+	_assert_texts(statement, ["−16.874", "200", "−4.823"])
 
 
 func test_what_is_before_a_colon_are_words() -> void:
