@@ -7,7 +7,6 @@ const _FOLDER := "res://scenes/lessons/"
 ## are. They are being mended; then this list goes.
 const _CLASHING: Array[String] = [
 	"turning_exercise.gd COSINE_AND_SINE",
-	"line_distance_exercise.gd DISTANCE",
 	"reflection_exercise.gd MIRROR",
 ]
 
