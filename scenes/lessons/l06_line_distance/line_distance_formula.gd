@@ -6,7 +6,7 @@ extends RefCounted
 const _WRONG_LINES: Dictionary[int, String] = {
 	LineDistanceMistakes.NOT_UNIT:
 	"{wrong}: {d} · (−y, x) = {dx}·{minus_ly} + {dy}·{lx} = {wrong_distance}",
-	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = −{distance} = {wrong_distance}",
+	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
 	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: y of the line − y of c = {wrong_distance}",
 }
 

@@ -14,7 +14,7 @@ static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Now old and new are distances from the line: a = old − r up to the contact, b = old − new in all."
+				"Now old and new are distances from the line: a = old − r to the contact, b = old − new in all."
 			)
 		),
 		_on_fraction(model),
@@ -132,7 +132,7 @@ static func _on_reset(model: PointOfImpactModel) -> String:
 		return (
 			LabText
 			. translate(
-				"Position reset: back along n̂, to the good side, until the ball just touches. Was it ever there?"
+				"Position reset: back along n̂ to the good side, until the ball touches. Was it ever there?"
 			)
 		)
 	return LabText.translate("Position reset: new does not overlap the line, so nothing is moved.")

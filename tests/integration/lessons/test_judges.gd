@@ -213,7 +213,7 @@ const _CASES: Array[Dictionary] = [
 		step = 1,
 		sentence =
 		[
-			"Position reset: back along n̂, to the good side, until the ball just touches.",
+			"Position reset: back along n̂ to the good side, until the ball touches.",
 			"Position reset: new does not overlap the line, so nothing is moved.",
 			"Old and new are the same point: the ball does not move.",
 			"One frame moves the ball by v, from old to new.",

@@ -186,7 +186,7 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 	return {
 		"One frame moves the ball by v": step == 0 and not _is_at_rest,
 		"Old and new are the same point": step == 0 and _is_at_rest,
-		"Position reset: back along n̂, to the good side": step == _RESET and _is_reset(),
+		"Position reset: back along n̂ to the good side": step == _RESET and _is_reset(),
 		"Position reset: new does not overlap the line": step == _RESET and _is_new_free(),
 		"Now old and new are distances from the line": step == _WAYS,
 		"Compare the t of the mistake": is_compared,
