@@ -48,3 +48,16 @@ static func false_label(labels: PackedStringArray, claims: Dictionary[String, bo
 		if not claims[label]:
 			return "it should not be on the board: “%s”" % label
 	return ""
+
+
+## The first number in [param texts] that does not stand for the right one: [param wanted] holds the
+## right one by the words before it. [param rounding] is what double numbers may be off by.
+static func false_number(
+	texts: PackedStringArray, wanted: Dictionary[String, float], rounding: float
+) -> String:
+	for text in texts:
+		for words in wanted:
+			var shown := SeenLesson.number_behind(words, text)
+			if not is_nan(shown) and not SeenLesson.is_close(shown, wanted[words], rounding):
+				return "it is %s: “%s”" % [wanted[words], text]
+	return ""

@@ -6,7 +6,6 @@ const _FOLDER := "res://scenes/lessons/"
 ## Kinds in which two mistakes, or a mistake and the right answer, are the same whatever the numbers
 ## are. They are being mended; then this list goes.
 const _CLASHING: Array[String] = [
-	"line_distance_exercise.gd DISTANCE",
 	"reflection_exercise.gd MIRROR",
 ]
 
