@@ -7,7 +7,9 @@ const _ARGUMENT := "--lesson="
 # What a chat or a mail puts behind a link, some of it to show the link in bold or as code.
 const _BEHIND := ".,;:!?…)]}>»«\"'”’*_~`|/# "
 # What a mail breaks lines with, what a chat hides in a link, and what Markdown puts before a sign.
-const _INSIDE := "[\\t\\r\\n\\\\\\x{ad}\\x{200b}-\\x{200f}\\x{202a}-\\x{202e}\\x{2060}-\\x{2069}\\x{feff}]"
+const _INSIDE := (
+	"[\\t\\r\\n\\\\\\x{ad}\\x{200b}-\\x{200f}" + "\\x{202a}-\\x{202e}\\x{2060}-\\x{2069}\\x{feff}]"
+)
 # A link that went through several hands has its signs escaped more than once.
 const _MOST_ESCAPES := 3
 # A letter as an address writes it, in 1 to 3 bytes. Others cannot belong to a request.
