@@ -16,7 +16,9 @@ const _MOST_DIGITS := 36
 # So many digits at once are read into an int.
 const _DIGITS_AT_ONCE := 9
 # Other minus signs, as word processors and people who write formulas put them.
-const _DASHES: PackedStringArray = ["\u2212", "\u2013"]
+const _DASHES := "\u2212\u2013\u2010\u2011\u2012\u2014\ufe63"
+# A space that breaks no line, as it is copied from pages; the engine does not take it for one.
+const _HARD_SPACE := "\u00a0"
 # Letters of full width, as East Asian keyboards write them, and their distance from ASCII.
 const _FULL_WIDTH := 0xff01
 const _FROM_ASCII := 0xfee0
@@ -46,7 +48,7 @@ static func value_of(text: String) -> float:
 
 
 static func _in_ascii(text: String) -> String:
-	var plain := text.strip_edges()
+	var plain := text.replace(_HARD_SPACE, " ").strip_edges()
 	for dash in _DASHES:
 		plain = plain.replace(dash, "-")
 	for i in plain.length():
