@@ -48,6 +48,8 @@ func _ready() -> void:
 	resized.connect(_lay)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
+	# A text that wraps has its height only once it has its width.
+	_words.minimum_size_changed.connect(_place_card, CONNECT_DEFERRED)
 	_lay()
 
 
@@ -202,6 +204,12 @@ func _show_card() -> void:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
 	_words.custom_minimum_size.x = minf(_width_of_longest(_points[_chosen].words), _WIDEST)
+	_place_card()
+
+
+func _place_card() -> void:
+	if _chosen < 0:
+		return
 	_card.reset_size()
 	_card.position = _place_beside(pixel_of(_chosen), _card.size)
 

@@ -32,7 +32,7 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
-	assert_reads("which method has the smallest error?")
+	assert_reads("which mark has the smallest error?")
 	await click_button("the slowest")
 	var is_slowest := _model().rank_of_closest() == 2
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
@@ -79,6 +79,28 @@ func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 		there[place], there[ErrorAndTimeModel.neighbour(there, place)]
 	)
 	assert_almost_eq(shown, order, absf(order) * 1e-3)
+
+
+func test_the_last_step_begins_with_a_mark_that_has_an_order() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	await student.settle()
+	assert_eq(_plot().chosen(), ErrorAndTimeModel.place_with_order(_run().measurements()))
+	assert_eq(Screen.lines(frame().lesson.services[&"formula"] as Formula).size(), 4)
+
+
+func test_the_card_beside_a_mark_is_as_high_as_its_words() -> void:
+	for problem: int in [4, 5, 6]:
+		_steps().go_to(0)
+		await _pick("What is measured", problem)
+		await _finish_measuring()
+		await student.settle()
+		_steps().go_to(1)
+		await student.settle()
+		var card := _plot().get_node("%Card") as Control
+		var words := _plot().get_node("%Words") as Label
+		var height := words.get_line_count() * words.get_line_height()
+		assert_between(card.size.y, 1.0 * height, height + 40.0, "problem %d" % problem)
 
 
 func test_where_there_is_no_order_the_formula_says_why() -> void:
