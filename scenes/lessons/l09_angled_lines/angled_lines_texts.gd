@@ -28,12 +28,15 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 		(
 			LabText
 			. translate(
-				"Drag on the board to draw a line. Drag ball, v, g or a line. To delete a line, click it, then ✕."
+				"Drag on the board to draw a line. Drag ball, v, g or a line. To delete a line, click it, then ✕ beside it."
 			)
 		),
 		_bounce_step(model, forecast),
-		LabText.translate(
-			"The same minute, stepped in four ways. E must never grow; with C = 1 it must stay the same."
+		(
+			LabText
+			. translate(
+				"The same minute, stepped in four ways. E must never grow; with C = 1 it must stay the same."
+			)
 		),
 	]
 

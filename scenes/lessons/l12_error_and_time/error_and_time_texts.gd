@@ -9,8 +9,11 @@ const BOUNCES := "1/bounces"
 ## What the steps say.
 static func steps() -> PackedStringArray:
 	return [
-		LabText.translate(
-			"Each mark is a method at one setting: further left is faster, lower is closer to the truth."
+		(
+			LabText
+			. translate(
+				"Each mark is a method at one setting: further left is faster, lower is closer to the truth."
+			)
 		),
 		LabText.translate(
 			"The dashed frontier joins the best: no other mark is both faster and closer."

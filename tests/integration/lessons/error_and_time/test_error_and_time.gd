@@ -246,6 +246,8 @@ func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() ->
 		var holds := _table().row(place).outcome() == StabilityMark.Outcome.PASSED
 		assert_eq(holds, run.results[place].passed, run.cases[place].title)
 		assert_reads(run.results[place].figure)
+	var judge := LessonJudge.of(&"error_and_time")
+	assert_eq(judge.problem(SeenLesson.of(frame())), "")
 
 
 func test_no_row_says_that_more_was_tried_than_was() -> void:
