@@ -29,6 +29,17 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 	assert_does_not_read("log(")
 
 
+func test_the_key_that_hides_answers_hides_the_frontier_and_the_card() -> void:
+	await _finish_measuring()
+	_steps().go_to(1)
+	await student.settle()
+	for alpha: float in [0.0, 1.0]:
+		await student.press(&"lab_hide_answers")
+		await student.settle()
+		for part: String in ["%Frontier", "%Card"]:
+			assert_eq((_plot().get_node(part) as Control).modulate.a, alpha, part)
+
+
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
