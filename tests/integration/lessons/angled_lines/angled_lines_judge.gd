@@ -216,16 +216,17 @@ func _first_touch(state: Dictionary) -> Touch:
 	var is_clear := ball[4] >= _SMALLEST and _closest_approach(state) < -_DEEP
 	if start or not is_clear or _gap_at(ball, 0.0, is_exact) < _CLOSE:
 		return null
-	var before := 0.0
-	for i in range(1, roundi(_AHEAD / _FRAME) * _PLACES):
-		var frames := 1.0 * i / _PLACES
-		var gap := _gap_at(ball, frames, is_exact)
-		if gap <= 0.0:
-			return _touch_between(ball, before, frames, is_exact)
-		var next := _gap_at(ball, 1.0 * (i + 1) / _PLACES, is_exact)
+	var longest := _fastest_speed(ball) * _FRAME / _PLACES
+	var gap := INF
+	var i := 1
+	while i < roundi(_AHEAD / _FRAME) * _PLACES:
+		var next := _gap_at(ball, 1.0 * i / _PLACES, is_exact)
+		if next <= 0.0:
+			return _touch_between(ball, (i - 1.0) / _PLACES, 1.0 * i / _PLACES, is_exact)
 		if gap < _CLOSE and next > gap:
 			return null
-		before = frames
+		gap = next
+		i += _places_to_skip(gap, longest)
 	return null
 
 
@@ -297,22 +298,36 @@ func _problem_of_labels(seen: SeenLesson) -> String:
 # it overlaps a line already, flies very fast, or is moved in a way that may pass through lines.
 func _closest_approach(state: Dictionary) -> float:
 	var ball := _selected(state)
-	var speed_x := absf(ball[2]) + absf(_gravity[0]) * _AHEAD
-	var speed_y := absf(ball[3]) + absf(_gravity[1]) * _AHEAD
-	if not state["method"] in ["whole_frame", "event_world"] or speed_x + speed_y > _FASTEST:
+	var speed := _fastest_speed(ball)
+	if not state["method"] in ["whole_frame", "event_world"] or speed > _FASTEST:
 		return 0.0
 	var closest := INF
-	for i in _STEPS + 1:
+	var i := 0
+	while i <= _STEPS:
 		var time := _AHEAD * i / _STEPS
 		var x := ball[0] + ball[2] * time + _gravity[0] * time * time / 2.0
 		var y := ball[1] + ball[3] * time + _gravity[1] * time * time / 2.0
+		var gap := INF
 		for line in _lines:
-			closest = minf(closest, _distance(x, y, line) - ball[4])
+			gap = minf(gap, _distance(x, y, line) - ball[4])
+		closest = minf(closest, gap)
 		if i == 0 and closest < 0.0:
 			return 0.0
 		if closest < -_DEEP or absf(x) > _REACH or absf(y) > _REACH:
 			break
+		i += _places_to_skip(gap, speed * _AHEAD / _STEPS)
 	return closest
+
+
+# In the time looked at; at least that.
+func _fastest_speed(ball: PackedFloat64Array) -> float:
+	var speed_x := absf(ball[2]) + absf(_gravity[0]) * _AHEAD
+	return speed_x + absf(ball[3]) + absf(_gravity[1]) * _AHEAD
+
+
+# So many places further the ball may be close to a line; far from all lines there is nothing to see.
+func _places_to_skip(gap: float, longest: float) -> int:
+	return clampi(floori((gap - _NEAR) / maxf(longest, 1e-6)), 1, _STEPS)
 
 
 func _distance(x: float, y: float, line: PackedFloat64Array) -> float:
