@@ -28,7 +28,7 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 		(
 			LabText
 			. translate(
-				"Drag on the board to draw a line. Drag ball, v, g or a line. To delete a line, click it, then ✕ beside it."
+				"Drag on the board to draw a line. Drag ball, v, g or a line. To delete one, click it, then ✕."
 			)
 		),
 		_bounce_step(model, forecast),

@@ -21,7 +21,7 @@ static func steps() -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Point at a mark on a line to see its order p. With p = 2, twice the time leaves 1/4 of the error."
+				"Point at a mark on a line to see its order p. p = 2: twice the time leaves 1/4 of the error."
 			)
 		),
 	]

@@ -284,6 +284,9 @@ func _problem_of_labels(seen: SeenLesson) -> String:
 		if label in ["n"] or label.begins_with("t = "):
 			if seen.step == 0 or seen.step == 1 and not has_ring:
 				return "there is no bounce to show: “%s”" % label
+		elif label.ends_with("Bring lost balls back"):
+			if not _balls.any(_is_lost):
+				return "no ball is lost: “%s”" % label
 		elif not (label in ["v", "g"] or label.contains("E / E₀ = ")):
 			names.append(label)
 	var wanted: PackedStringArray = []
