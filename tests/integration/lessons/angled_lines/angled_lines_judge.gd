@@ -154,7 +154,7 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 	return false_claim([seen.sentence], claims)
 
 
-# v₂ = v₁ − (1 + C) · (v₁ · n) n, in numbers. The arithmetic is read elsewhere; here it is that v₁, n
+# v₂ = v₁ − (1 + C) · (v₁ · n) n, in numbers. The arithmetic is read elsewhere; here v₁, n
 # and t are those of the first touch.
 func _problem_of_bounce(seen: SeenLesson) -> String:
 	if seen.lines.size() < 4:
@@ -328,7 +328,7 @@ func _fastest_speed(ball: PackedFloat64Array) -> float:
 	return speed_x + absf(ball[3]) + absf(_gravity[1]) * _AHEAD
 
 
-# So many places further the ball may be close to a line; far from all lines there is nothing to see.
+# So many places further the ball may be close to a line; before, there is nothing to see.
 func _places_to_skip(gap: float, longest: float) -> int:
 	return clampi(floori((gap - _NEAR) / maxf(longest, 1e-6)), 1, _STEPS)
 
@@ -352,23 +352,28 @@ func _foot(x: float, y: float, line: PackedFloat64Array) -> PackedFloat64Array:
 func _problem_of_rows(seen: SeenLesson) -> String:
 	if (seen.step == 2) == seen.rows.is_empty():
 		return "the comparison belongs to the last step"
+	var bounciness: float = seen.state["bounciness"]
 	for i in seen.rows.size():
 		var row := seen.rows[i]
 		if row[0] != _WAYS[i]:
 			return "the ways are %s, not: %s" % [", ".join(_WAYS), row[0]]
-		var share := SeenLesson.first_number(row[1])
-		var error := SeenLesson.first_number(row[2].trim_prefix("≥ "))
-		var text := " | ".join(row)
-		if row[1] == "–" or row[1].contains("lost") or row[1] == "stopped":
-			if row[2] != "–":
-				return "there is no error to tell: " + text
-		elif row[1].ends_with("✗") and share <= 1.0 or not row[1].ends_with("✗") and share > 1.002:
-			return "too much, or not: " + text
-		elif seen.state["bounciness"] != 1.0:
-			if (row[2] != "–") != row[1].ends_with("✗"):
-				return "with C below 1 only too much energy is an error: " + text
-		elif absf(error - absf(share - 1.0)) > 0.06 * error + 6e-4:
-			return "the error is the distance from 1: " + text
-		elif i >= 2 and error > _RIGHT:
-			return "this way keeps the energy: " + text
+		var found := _problem_of_row(row, i >= 2, bounciness == 1.0)
+		if found:
+			return "%s: %s" % [found, " | ".join(row)]
 	return ""
+
+
+func _problem_of_row(row: PackedStringArray, is_right_way: bool, keeps_energy: bool) -> String:
+	var share := SeenLesson.first_number(row[1])
+	var is_marked := row[1].ends_with("✗")
+	if row[1] == "–" or row[1].contains("lost") or row[1] == "stopped":
+		return "" if row[2] == "–" else "there is no error to tell"
+	if is_marked and share <= 1.0 or not is_marked and share > 1.002:
+		return "too much, or not"
+	if not keeps_energy:
+		var is_error := row[2] != "–"
+		return "" if is_error == is_marked else "with C below 1 only too much energy is an error"
+	var error := SeenLesson.first_number(row[2])
+	if absf(error - absf(share - 1.0)) > 0.06 * error + 6e-4:
+		return "the error is the distance from 1"
+	return "this way keeps the energy" if is_right_way and error > _RIGHT else ""
