@@ -99,8 +99,8 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{
 		words =
 		[
-			"Point at a mark with a line:",
-			"its slope is the order p.",
+			"Point at a mark on a line",
+			"to see its order p.",
 			"One of the two settings has no answer.",
 			"One of the two errors is 0.",
 			"Both settings take the same time.",

@@ -106,12 +106,15 @@ func _put_shadow(model: DotProductModel) -> void:
 	_formula.put_number("w_x", model.onto().x, role_of_w)
 	_formula.put_number("w_y", model.onto().y, role_of_w)
 	_formula.put_number("w_length", model.onto().length(), role_of_w)
-	var check := model.rejection().dot(model.onto())
+	# As the lines above show p: 0 where the dot product is only rounding.
+	var projection := Vec2.new() if model.is_dot_zero() else model.vector_projection()
+	var rejection := model.shadowed().minus(projection)
+	var check := rejection.dot(model.onto())
 	var size := model.shadowed().length() * model.onto().length()
 	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	var parts := model.shadowed().length() + model.vector_projection().length()
-	_formula.put_vector_sum("rejection", model.rejection(), parts, Palette.Role.REST)
+	var parts := model.shadowed().length() + projection.length()
+	_formula.put_vector_sum("rejection", rejection, parts, Palette.Role.REST)
 	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
 
 
@@ -127,8 +130,8 @@ func _put_angles(model: DotProductModel) -> void:
 	_formula.put_number("u_degrees", of_u, role_of_u)
 	_formula.put_number("w_degrees", of_w, role_of_w)
 	_formula.put_number("angle", model.angle_degrees(), Palette.Role.INK)
-	# The angles are rounded, too: that counts several times as much as a sum would.
-	var size := 8.0 * model.shadowed().length()
+	# The angles are rounded, too, and shown with fewer digits than the sum of two products needs.
+	var size := 256.0 * model.shadowed().length()
 	var dot := 0.0 if model.is_dot_zero() else model.dot()
 	_formula.put_sum("by_angle", dot, size * model.onto().length(), Palette.Role.INK)
 	var is_rounding := absf(of_u - of_w) <= FormulaStatement.ROUNDING * (absf(of_u) + absf(of_w))
