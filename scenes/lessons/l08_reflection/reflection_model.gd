@@ -5,8 +5,8 @@ extends LessonModel
 ## Velocities in units per second. The line goes through the origin, from minus [member along] to
 ## plus along; the ball touches it there at time 0.
 
-## How the drawing is built up. Each step says how many times the part along the normal is
-## subtracted.
+## How the drawing is built up. From the second one on, each step says how many times the part along
+## the normal is subtracted; the first one shows the ball as it bounces.
 enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
 
 ## Presets by their titles (source text): what each changes in the model's state.
@@ -84,12 +84,17 @@ func is_along_line() -> bool:
 	return absf(velocity.dot(unit_normal())) <= velocity.length() / 2.0 ** 50
 
 
+## Whether the ball comes straight at the line: then nothing of the velocity is left to slide.
+func is_head_on() -> bool:
+	return velocity_after(1.0).length() <= velocity.length() / 2.0 ** 50
+
+
 ## How many times the part along the normal is subtracted at [param step]; never where the normal is
 ## refused.
 func times_subtracted(step: Step) -> float:
-	if refusal() or step < Step.SLIDE:
+	if refusal() or step == Step.SPLIT:
 		return 0.0
-	if step == Step.BOUNCE:
+	if step in [Step.MEET, Step.BOUNCE]:
 		return 1.0 + bounciness
 	return 1.0 if step == Step.SLIDE else 2.0
 
@@ -109,6 +114,12 @@ func velocity_with_mistake() -> Vec2:
 	return ReflectionMistakes.velocity_after(
 		mistake, velocity, unit_normal(), normal_length, bounciness
 	)
+
+
+## Whether the mistake that is switched on leads to another velocity than the right one.
+func mistake_shows() -> bool:
+	var off := velocity_with_mistake().distance_to(velocity.reflected(unit_normal(), bounciness))
+	return mistake != 0 and off > 1e-9 * velocity.length()
 
 
 ## The angle in degrees between the way back of the ball and the normal, 0..90.

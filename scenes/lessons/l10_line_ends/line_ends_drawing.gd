@@ -69,10 +69,11 @@ func fit(model: LineEndsModel) -> void:
 func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
 		_fields[i].visible = step >= _FIRST_STEPS[i]
-		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind))
+		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind), step)
 	_layout.active = _ACTIVE_FIELDS[step]
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
+	_graph.shows_roots = step >= LineEndsTexts.Step.ROOTS
 	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)
 
 

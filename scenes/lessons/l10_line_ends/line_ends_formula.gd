@@ -124,7 +124,8 @@ func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
 	elif approach < 0.0:
 		found.append("−{v} · {n} = {approach}: " + tr("it moves away, no impact"))
 	else:
-		found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
+		var overlap := "     " + tr("overlap: t = 0") if _starts_at_once else ""
+		found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}" + overlap)
 		if step == LineEndsTexts.Step.SEGMENT:
 			found.append(
 				("F = P + 0 {v}" if _starts_at_once else "F = P + {t} {v}") + " = {line_point}"

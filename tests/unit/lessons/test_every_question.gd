@@ -8,7 +8,6 @@ const _FOLDER := "res://scenes/lessons/"
 const _CLASHING: Array[String] = [
 	"turning_exercise.gd COSINE_AND_SINE",
 	"line_distance_exercise.gd DISTANCE",
-	"reflection_exercise.gd MIRROR",
 ]
 
 
