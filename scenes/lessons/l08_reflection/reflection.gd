@@ -114,7 +114,7 @@ func _show() -> void:
 		ReflectionModel.Step.SLIDE,
 		ReflectionTexts.question_on_slide(),
 		ReflectionTexts.choices(),
-		func() -> int: return 1 if _has_part() and not _model.is_head_on() else -1
+		func() -> int: return 1 if _has_part() and not _model.stops_after(1.0) else -1
 	)
 	ask_before(
 		ReflectionModel.Step.MIRROR,

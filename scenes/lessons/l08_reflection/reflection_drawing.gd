@@ -74,7 +74,7 @@ func _lay_split(model: ReflectionModel, step: ReflectionModel.Step, is_split: bo
 	_velocity.visible = is_split
 	_part.visible = is_split
 	_drop.visible = is_split and step == ReflectionModel.Step.SPLIT
-	var slides := step >= ReflectionModel.Step.SLIDE and not model.is_head_on()
+	var slides := step >= ReflectionModel.Step.SLIDE and not model.stops_after(1.0)
 	_slide.visible = is_split and slides
 
 
@@ -90,12 +90,12 @@ func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_spli
 	_leaving.lay(Vec2.new(), leaving)
 	_mirror.lay(Vec2.new(), model.velocity_after(2.0))
 	var has_part := not model.is_along_line()
+	_second.visible = bounces and has_part and leaving.distance_to(slide) > 0.0
 	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE and has_part
-	_second.visible = bounces and leaving.distance_to(slide) > 0.0
 	_leaving.visible = bounces
 	# Where it would lie on the arrow out of the line, it says nothing.
 	var turns := not model.has_equal_angles(model.times_subtracted(step))
-	_mirror.visible = bounces and model.mistake == 0 and turns
+	_mirror.visible = bounces and model.mistake == 0 and turns and has_part
 
 
 func _lay_wrong(model: ReflectionModel) -> void:

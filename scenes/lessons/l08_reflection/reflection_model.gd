@@ -84,9 +84,10 @@ func is_along_line() -> bool:
 	return absf(velocity.dot(unit_normal())) <= velocity.length() / 2.0 ** 50
 
 
-## Whether the ball comes straight at the line: then nothing of the velocity is left to slide.
-func is_head_on() -> bool:
-	return velocity_after(1.0).length() <= velocity.length() / 2.0 ** 50
+## Whether the ball stops where the part along the normal was subtracted [param times] times: what
+## rounding leaves of the velocity counts as 0. A ball that comes straight at the line does after once.
+func stops_after(times: float) -> bool:
+	return velocity_after(times).length() <= velocity.length() / 2.0 ** 50
 
 
 ## How many times the part along the normal is subtracted at [param step]; never where the normal is
@@ -136,10 +137,9 @@ func angle_out_degrees(leaving: Vec2) -> float:
 ## normal was subtracted [param times] times. Below 2 only head on or along the line. A ball that
 ## stops does not leave.
 func has_equal_angles(times: float) -> bool:
-	var leaving := velocity_after(times)
-	if times == 2.0 or leaving.length() == 0.0:
+	if times == 2.0 or stops_after(times):
 		return times == 2.0
-	return absf(angle_out_degrees(leaving) - angle_in_degrees()) < 1e-9
+	return absf(angle_out_degrees(velocity_after(times)) - angle_in_degrees()) < 1e-9
 
 
 ## Which share of the kinetic energy [param leaving] has; 1 for a ball at rest.

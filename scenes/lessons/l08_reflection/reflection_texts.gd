@@ -63,7 +63,7 @@ static func question_on_mirror() -> String:
 ## energy, and the answer of a mistake.
 static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
 	var leaving := model.velocity_after(model.times_subtracted(step))
-	var words: PackedStringArray = [_angles(model, leaving)]
+	var words: PackedStringArray = [_angles(model, model.times_subtracted(step))]
 	if model.velocity.length() > 0.0:
 		var energy := LabText.translate("keeps %s %% of its energy")
 		words.append(energy % NumberText.short(model.energy_share(leaving) * 100.0, 3))
@@ -96,20 +96,20 @@ static func _on_part(model: ReflectionModel) -> String:
 
 
 static func _on_slide(model: ReflectionModel) -> String:
-	if model.is_head_on():
+	if model.stops_after(1.0):
 		return LabText.translate("Subtract that part once: nothing is left of v. The ball stops.")
 	return LabText.translate(
 		"Subtract that part once: nothing goes into the line. The ball slides."
 	)
 
 
-static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
+static func _angles(model: ReflectionModel, times: float) -> String:
 	if not model.velocity.length():
 		return LabText.translate("v = 0: the ball does not move")
 	if model.is_along_line():
 		return LabText.translate("it moves along the line")
 	var angle_in := NumberText.short(model.angle_in_degrees())
-	if leaving.length() == 0.0:
+	if model.stops_after(times):
 		return LabText.translate("in %s° to the normal, and it stops") % angle_in
-	var angle_out := NumberText.short(model.angle_out_degrees(leaving))
+	var angle_out := NumberText.short(model.angle_out_degrees(model.velocity_after(times)))
 	return LabText.translate("in %s°, out %s° to the normal") % [angle_in, angle_out]

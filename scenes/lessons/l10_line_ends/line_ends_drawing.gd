@@ -74,7 +74,10 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
 	_graph.shows_roots = step >= LineEndsTexts.Step.ROOTS
-	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)
+	var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
+	# After its bounce the ball is no longer on the curve.
+	var fraction := minf(model.fraction, impact.fraction) if impact.hit else model.fraction
+	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), fraction)
 
 
 # No lesson runs in the editor that would call these.

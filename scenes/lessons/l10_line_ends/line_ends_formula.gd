@@ -179,6 +179,11 @@ func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
 		return tr("the line is met first")
 	if equation.b >= 0.0:
 		return tr("moving away: none")
+	if equation.discriminant() == 0.0:
+		return tr("it only grazes: none")
 	if equation.c <= 0.0:
 		return tr("overlap: t = 0")
-	return tr("t₁ counts") if equation.first_root() <= 1.0 else tr("t₁ > 1: none")
+	if equation.first_root() > 1.0:
+		return tr("t₁ > 1: none")
+	# A ball that overlaps the line and moves away from it does not touch the end either.
+	return tr("t₁ counts") if model.bounces_on_the_end() else tr("moving away: none")

@@ -17,7 +17,9 @@ static func sentences(model: LineEndsModel) -> PackedStringArray:
 		),
 		LabText.translate("Round caps: the ball touches an end when its centre is r away."),
 		LabText.translate("|d + t v| = r, squared, is a quadratic: a t² + b t + c = 0."),
-		LabText.translate("D < 0: no touch. Else t₁ is the first touch; it counts within 0..1."),
+		LabText.translate(
+			"D < 0: the ball misses. D > 0: t₁ is the first touch; it counts within 0..1."
+		),
 		_on_bounce(model),
 	]
 
@@ -91,7 +93,7 @@ static func event_in(
 		words = "✗ " + words
 	if not impact.hit or is_on_end and step < Step.ROOTS:
 		return words
-	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction, 3)
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction)
 
 
 ## What the ball of a mistake does on its [param wrong] flight, translated.

@@ -15,7 +15,7 @@ func before_each() -> void:
 
 func test_at_the_start_each_field_says_what_happens_in_it() -> void:
 	assert_eq(_words("InfiniteOneSided"), "passes through from behind")
-	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.198")
+	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.1975")
 	assert_eq(_words("SegmentOneSided"), "finds no hit, cuts through the end")
 	assert_eq(_words("SegmentTwoSided"), "finds no hit, cuts through the end")
 	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
