@@ -73,6 +73,14 @@ func test_a_ball_that_stops_has_no_angle_out() -> void:
 	assert_eq(ReflectionTexts.verdict(model, step)[0], "in 0° to the normal, and it stops")
 
 
+func test_what_rounding_leaves_of_a_ball_head_on_stops() -> void:
+	var velocity := Vec2.new(1.507691997926561, -1.3141022941111606)
+	var model := _model(velocity, Vec2.new(-61.5, -70.56))
+	assert_ne(model.velocity_after(1.0).length(), 0.0, "the numbers leave a rest")
+	var verdict := ReflectionTexts.verdict(model, ReflectionModel.Step.SLIDE)
+	assert_eq(verdict[0], "in 0° to the normal, and it stops")
+
+
 func test_a_normal_that_is_not_unit_is_refused_in_the_words_of_vec2() -> void:
 	for size: float in [2.0, 0.5, 14.000001, 1.0 + 2e-9]:
 		var model := ReflectionModel.new()
