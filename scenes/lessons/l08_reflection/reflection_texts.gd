@@ -62,11 +62,12 @@ static func question_on_mirror() -> String:
 ## Two or three lines for the card on the board: the angles to the normal, what is left of the
 ## energy, and the answer of a mistake.
 static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
-	var leaving := model.velocity_after(model.times_subtracted(step))
-	var words: PackedStringArray = [_angles(model, model.times_subtracted(step))]
+	var times := model.times_subtracted(step)
+	var words: PackedStringArray = [_angles(model, times)]
 	if model.velocity.length() > 0.0:
-		var energy := LabText.translate("keeps %s %% of its energy")
-		words.append(energy % NumberText.short(model.energy_share(leaving) * 100.0, 3))
+		var share := model.energy_share(model.velocity_after(times))
+		var percent := 0.0 if model.stops_after(times) else share * 100.0
+		words.append(LabText.translate("keeps %s %% of its energy") % NumberText.short(percent, 3))
 	if model.mistake_shows():
 		var wrong := model.velocity_with_mistake()
 		words.append(LabText.translate("the mistake says: %s") % NumberText.pair(wrong.x, wrong.y))

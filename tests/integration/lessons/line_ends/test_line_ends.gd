@@ -143,6 +143,17 @@ func test_the_normal_is_asked_for_before_the_bounce() -> void:
 	assert_has(_formula_lines(), "n = (P + t₁ v − A) / r = (−0.8, −0.6)")
 
 
+func test_what_becomes_of_the_ball_is_hidden_with_the_answers() -> void:
+	await student.press(&"lab_hide_answers")
+	for part: String in ["Ball", "Flight", "ImpactBall", "Words"]:
+		for field_name: String in _SMALL_FIELDS:
+			var drawn := _field(field_name).get_node("%" + part) as CanvasItem
+			assert_eq(drawn.modulate.a, 0.0, "%s in %s" % [part, field_name])
+	assert_eq((frame().lesson.find_child("Graph") as CanvasItem).modulate.a, 0.0)
+	assert_eq(_part("Normal").modulate.a, 0.0)
+	assert_eq(_part("StartBall").modulate.a, 1.0)
+
+
 func test_before_its_step_the_ball_stops_where_it_touches_the_end() -> void:
 	for step: int in [LineEndsTexts.Step.CAP, LineEndsTexts.Step.ROOTS]:
 		await go_to_step(step)

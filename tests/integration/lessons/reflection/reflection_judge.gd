@@ -119,6 +119,12 @@ func _degrees_out() -> float:
 	return rad_to_deg(atan2(absf(_along), (_times() - 1.0) * absf(_across)))
 
 
+# What the angle out may be off by: of a ball that nearly stops, rounding is a large part.
+func _out_off() -> float:
+	var leaving := _length(_along, (_times() - 1.0) * _across)
+	return 1e-12 + rad_to_deg(_ROUNDING * _speed / leaving) if leaving > 0.0 else 1e-12
+
+
 func _energy() -> float:
 	var across := (_times() - 1.0) * _across / _speed
 	return across * across + (_along / _speed) ** 2.0
@@ -228,7 +234,7 @@ func _problem_of_card_numbers(lines: PackedStringArray) -> String:
 		if line.contains("° to") and not SeenLesson.is_close(degrees, _degrees_in(), 1e-12):
 			return "it comes in at %s°: “%s”" % [_degrees_in(), line]
 		degrees = SeenLesson.number_behind("out ", line)
-		if line.contains("out ") and not SeenLesson.is_close(degrees, _degrees_out(), 1e-12):
+		if line.contains("out ") and not SeenLesson.is_close(degrees, _degrees_out(), _out_off()):
 			return "it goes out at %s°: “%s”" % [_degrees_out(), line]
 		var percent := SeenLesson.number_behind("keeps ", line)
 		if line.contains("keeps ") and not _is_percent(percent, 100.0 * _energy()):
