@@ -8,8 +8,8 @@ extends Exercise
 ## What is asked for: C = 1, the part along the normal, another C, or the frame after the bounce.
 enum Kind { MIRROR, PART, BOUNCE, AWAY }
 
-## Directions of lines; each has length 2 or 5. With 1 a normal that is not brought to length 1 would
-## be right.
+## Directions of lines; each has length 2 or 5. With 1 a normal that is not brought to length 1
+## would be right.
 const _LINES: Array[Vector2i] = [
 	Vector2i(2, 0), Vector2i(0, 2), Vector2i(3, 4), Vector2i(4, 3), Vector2i(3, -4), Vector2i(4, -3)
 ]

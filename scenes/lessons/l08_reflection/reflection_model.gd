@@ -85,7 +85,8 @@ func is_along_line() -> bool:
 
 
 ## Whether the ball stops where the part along the normal was subtracted [param times] times: what
-## rounding leaves of the velocity counts as 0. A ball that comes straight at the line does after once.
+## rounding leaves of the velocity counts as 0. A ball that comes straight at the line does after
+## once.
 func stops_after(times: float) -> bool:
 	return velocity_after(times).length() <= velocity.length() / 2.0 ** 50
 

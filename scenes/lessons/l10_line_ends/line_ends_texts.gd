@@ -79,8 +79,8 @@ static func title(field: LineEndsModel.Field) -> String:
 	return LabText.translate("Segment, two sides, round caps")
 
 
-## What happens in a field as far as [param step] tells it, translated: the time at an end comes with
-## the roots, the bounce there at the end.
+## What happens in a field as far as [param step] tells it, translated: the time at an end comes
+## with the roots, the bounce there at the end.
 static func event_in(
 	field: LineEndsModel.Field, model: LineEndsModel, step: int = Step.BOUNCE
 ) -> String:
