@@ -79,7 +79,9 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 		var point := model.start.plus(model.motion.scaled(maxf(fraction, 0.0)))
 		_formula.put_number("line_fraction", fraction, _BLUE)
 		_formula.put_vector("line_point", point, _BLUE)
-		_formula.put_number("s", model.segment.share_of(point), Palette.Role.INK)
+		# Of a difference of places, as d below.
+		var scale_of_s := (scale + 4.0 * model.motion.length()) / model.segment.length()
+		_formula.put_sum("s", model.segment.share_of(point), scale_of_s, Palette.Role.INK)
 		_starts_at_once = fraction < 0.0
 
 
@@ -111,7 +113,8 @@ func _put_bounce(model: LineEndsModel) -> void:
 	var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	if impact.hit:
 		_formula.put_vector("cap_normal", impact.normal, Palette.Role.UNIT)
-		_formula.put_vector("after", model.motion.reflected(impact.normal), Palette.Role.A)
+		var after := model.motion.reflected(impact.normal)
+		_formula.put_vector_sum("after", after, 4.0 * model.motion.length(), Palette.Role.A)
 
 
 func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:

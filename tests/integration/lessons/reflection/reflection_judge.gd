@@ -4,7 +4,7 @@ extends LessonJudge
 # What a sum of doubles may be off by, and one of the 32 bits of Vector2, as a share of its terms.
 const _ROUNDING := 1e-14
 const _SINGLE_ROUNDING := 1e-6
-# Where rounding alone decides, both may be said: below this, in degrees and as a share of the speed.
+# Where rounding alone decides, both may be said: below this, in degrees and of the speed.
 const _SLACK := 1e-9
 
 const _NOT_UNIT := 11
