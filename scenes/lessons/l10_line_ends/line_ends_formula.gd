@@ -153,6 +153,10 @@ func _lines_on_cap(model: LineEndsModel, step: int) -> PackedStringArray:
 # A ball that overlaps the end touches it where it starts, at whatever distance.
 func _lines_on_bounce(model: LineEndsModel) -> PackedStringArray:
 	if model.impact_in(LineEndsModel.Field.ROUND_CAPS).fraction == 0.0:
+		# With its centre on the end, only rounding gives d a direction.
+		var size := model.start.length() + model.cap_point().length()
+		if model.start.distance_to(model.cap_point()) <= 1e-12 * size:
+			return []
 		return ["{n} = {d} / |{d}| = {cap_normal}", "{v} − 2 ({v} · {n}) {n} = {after}"]
 	return [
 		"{t} = {first}",
