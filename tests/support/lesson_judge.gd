@@ -61,3 +61,20 @@ static func false_number(
 			if not is_nan(shown) and not SeenLesson.is_close(shown, wanted[words], rounding):
 				return "it is %s: “%s”" % [wanted[words], text]
 	return ""
+
+
+## The two numbers of [param text], such as `(3, −4)`; two NAN where there are none.
+static func pair(text: String) -> PackedFloat64Array:
+	var parts := text.strip_edges().trim_prefix("(").get_slice(")", 0).split(", ")
+	if not text.contains("(") or parts.size() != 2:
+		return [NAN, NAN]
+	return [SeenLesson.first_number(parts[0]), SeenLesson.first_number(parts[1])]
+
+
+## Whether [param text] is the pair [param x], [param y], as [method SeenLesson.is_close] has it.
+static func is_pair(text: String, x: float, y: float, rounding: float) -> bool:
+	var numbers := pair(text)
+	return (
+		SeenLesson.is_close(numbers[0], x, rounding)
+		and SeenLesson.is_close(numbers[1], y, rounding)
+	)

@@ -80,6 +80,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"no root. This end is not touched.",
 			"the line is met first",
 			"moving away: none",
+			"it only grazes: none",
 			"overlap: t = 0",
 			"counts",
 			"none",

@@ -91,9 +91,7 @@ func _read_board(part: Node) -> void:
 		return
 	if part is StabilityMark:
 		labels.append((part as StabilityMark).accessibility_name)
-	for property: StringName in [
-		&"label", &"text", &"note", &"left_sentence", &"right_sentence"
-	]:
+	for property: StringName in [&"label", &"text", &"note", &"left_sentence", &"right_sentence"]:
 		var text: Variant = part.get(property)
 		if text is String and text:
 			labels.append(str(text))
