@@ -113,7 +113,8 @@ func _put_shadow(model: DotProductModel) -> void:
 	var size := model.shadowed().length() * model.onto().length()
 	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	var parts := model.shadowed().length() + projection.length()
+	var u := model.shadowed()
+	var parts := Vec2.new(absf(u.x) + absf(projection.x), absf(u.y) + absf(projection.y))
 	_formula.put_vector_sum("rejection", rejection, parts, Palette.Role.REST)
 	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
 

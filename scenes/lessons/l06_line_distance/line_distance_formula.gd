@@ -86,7 +86,7 @@ func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2, scale: float) -> 
 	_formula.put_number("ly", along.y, Palette.Role.INK)
 	_formula.put_number("minus_ly", -along.y, Palette.Role.INK)
 	_formula.put_number("length", along.length(), Palette.Role.INK)
-	_formula.put_vector_sum("d_pair", difference, scale, Palette.Role.A)
+	_formula.put_vector_sum("d_pair", difference, Vec2.new(scale, scale), Palette.Role.A)
 	_formula.put_sum("dx", difference.x, scale, Palette.Role.A)
 	_formula.put_sum("dy", difference.y, scale, Palette.Role.A)
 	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)

@@ -92,7 +92,8 @@ func _put_equation(model: LineEndsModel) -> void:
 	_formula.put_symbol("u", "t₂", Palette.Role.REST)
 	# d is a difference of places: what rounding leaves of it grows with both.
 	var scale := 4.0 * (model.start.length() + model.cap_point().length())
-	_formula.put_vector_sum("d_pair", equation.difference, scale, Palette.Role.B)
+	var scales := Vec2.new(scale, scale)
+	_formula.put_vector_sum("d_pair", equation.difference, scales, Palette.Role.B)
 	_formula.put_sum("d_length", equation.difference.length(), scale, Palette.Role.B)
 	_formula.put_number("d_squared", equation.difference.length_squared(), Palette.Role.INK)
 	_formula.put_number("r_squared", model.radius * model.radius, Palette.Role.INK)
@@ -114,7 +115,8 @@ func _put_bounce(model: LineEndsModel) -> void:
 	if impact.hit:
 		_formula.put_vector("cap_normal", impact.normal, Palette.Role.UNIT)
 		var after := model.motion.reflected(impact.normal)
-		_formula.put_vector_sum("after", after, 4.0 * model.motion.length(), Palette.Role.A)
+		var scale := 4.0 * model.motion.length()
+		_formula.put_vector_sum("after", after, Vec2.new(scale, scale), Palette.Role.A)
 
 
 func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:

@@ -67,8 +67,9 @@ class Number:
 	extends RefCounted
 	## One component, or the two of a pair.
 	var components: PackedFloat64Array
-	## The sum of the sizes of the terms that were added to get it; 0 where nothing was added.
-	var scale := 0.0
+	## For each component the sum of the sizes of the terms that were added to get it; 0 where
+	## nothing was added.
+	var scales: PackedFloat64Array
 	## The student can type over it: the field shows what was typed.
 	var is_typed := false
 
@@ -104,9 +105,8 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 			)
 		else:
 			var number := numbers[_names[place]]
-			var scales: PackedFloat64Array = [number.scale, number.scale]
 			var is_alone := number.is_typed or place in _alone or place in _arguments
-			found.append(_text(number, scales, _digits_of(number, digits), is_alone))
+			found.append(_text(number, number.scales, _digits_of(number, digits), is_alone))
 	return found
 
 
@@ -193,7 +193,7 @@ func _terms(numbers: Dictionary[String, Number]) -> PackedFloat64Array:
 func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> PackedFloat64Array:
 	var scales := terms.duplicate()
 	for component in scales.size():
-		scales[component] = maxf(terms[component], numbers[_names[_result]].scale)
+		scales[component] = maxf(terms[component], numbers[_names[_result]].scales[component])
 	return scales
 
 
@@ -232,8 +232,8 @@ func _inputs(
 		var value := 0.0
 		if _sizes[place] > 0:
 			var number := numbers[_names[place]]
-			value = number.components[mini(component, _sizes[place] - 1)]
-			value = _shown(value, number.scale, _digits_of(number, digits))
+			var at := mini(component, _sizes[place] - 1)
+			value = _shown(number.components[at], number.scales[at], _digits_of(number, digits))
 		inputs.append(absf(value) if are_sizes else value)
 	return inputs
 

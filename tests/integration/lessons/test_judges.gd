@@ -33,7 +33,8 @@ func _cases() -> Array[Dictionary]:
 	var found: Array[Dictionary] = []
 	for info in LessonIndex.lessons():
 		var cases := load(_CASES % [info.id, info.id]) as GDScript
-		found.append_array(cases.get_script_constant_map()["CASES"] as Array)
+		var of_lesson: Array[Dictionary] = cases.get_script_constant_map()["CASES"]
+		found.append_array(of_lesson)
 	return found
 
 

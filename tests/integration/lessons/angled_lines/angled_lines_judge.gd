@@ -172,10 +172,10 @@ func _problem_of_bounce(seen: SeenLesson) -> String:
 	var bounciness: float = seen.state["bounciness"]
 	if absf(factor - 1.0 - bounciness) > _BOUNCE_OFF:
 		return "it is 1 + C = %s: %s" % [1.0 + bounciness, seen.lines[3]]
-	var pair := seen.lines[3].get_slice(" = ", 1)
-	pair = pair.substr(pair.rfind("(") + 1)
-	var n_x := SeenLesson.first_number(pair.get_slice(", ", 0))
-	var n_y := SeenLesson.first_number(pair.get_slice(", ", 1))
+	var shown_pair := seen.lines[3].get_slice(" = ", 1)
+	shown_pair = shown_pair.substr(shown_pair.rfind("(") + 1)
+	var n_x := SeenLesson.first_number(shown_pair.get_slice(", ", 0))
+	var n_y := SeenLesson.first_number(shown_pair.get_slice(", ", 1))
 	if absf(n_x - touch.normal_x) + absf(n_y - touch.normal_y) > 2.0 * _BOUNCE_OFF:
 		return "n is (%s, %s): %s" % [touch.normal_x, touch.normal_y, seen.lines[3]]
 	return _problem_of_share_of_frame(seen, touch)

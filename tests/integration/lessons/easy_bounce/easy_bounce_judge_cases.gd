@@ -1,6 +1,6 @@
 extends RefCounted
-## What the lesson easy_bounce may say of a state, and what is false, for `test_judges.gd`, which says
-## how to read it.
+## What the lesson easy_bounce may say of a state, and what is false.
+## `test_judges.gd` says how to read it.
 
 const CASES: Array[Dictionary] = [
 	{

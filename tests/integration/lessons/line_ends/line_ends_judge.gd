@@ -172,11 +172,11 @@ func _problem_of_wrong_ball(line: String) -> String:
 	var wanted := _facts.wrong_time()
 	match line:
 		"the wrong ball does the same here":
-			var is_same := (
+			var is_alike := (
 				not is_nan(wanted)
 				and _facts.wrong_end().minus(_facts.end_of_field(4)).size() < 1e-5
 			)
-			return "" if is_same else "the wrong ball does something else"
+			return "" if is_alike else "the wrong ball does something else"
 		"✗ the wrong ball passes":
 			return "" if wanted == INF else "the wrong ball touches at %s" % wanted
 	var shown := line.trim_prefix("✗ the wrong ball: t = ")

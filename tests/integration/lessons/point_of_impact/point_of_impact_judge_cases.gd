@@ -1,6 +1,6 @@
 extends RefCounted
-## What the lesson point_of_impact may say of a state, and what is false, for `test_judges.gd`, which says
-## how to read it.
+## What the lesson point_of_impact may say of a state, and what is false.
+## `test_judges.gd` says how to read it.
 
 const _LINE: Array[int] = [60, 45, -60, -45]
 ## The frame with which the lesson starts.

@@ -62,7 +62,7 @@ func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
 	var statement := FormulaStatement.new("(a − p) · b = {check}")
 	_put({check = 1.8e-15})
 	_assert_texts(statement, ["1.8e−15"])
-	_numbers["check"].scale = 50.0
+	_numbers["check"].scales = [50.0]
 	_assert_texts(statement, ["0 (rounding: 1.8e−15)"])
 
 
@@ -108,6 +108,7 @@ func _put(values: Dictionary) -> void:
 func _number(components: PackedFloat64Array) -> FormulaStatement.Number:
 	var number := FormulaStatement.Number.new()
 	number.components = components
+	number.scales.resize(components.size())
 	return number
 
 
