@@ -32,7 +32,11 @@ func from() -> Vec2:
 
 ## The difference vector d: the ball's centre less [method from].
 func difference() -> Vec2:
-	return ball.position.minus(from())
+	# By way of the nearer end, not of the rounded point: next to an end that would be all that is
+	# left.
+	if from_share > 0.5:
+		return ball.position.minus(line.end).minus(line.along().scaled(from_share - 1.0))
+	return ball.position.minus(line.start).minus(line.along().scaled(from_share))
 
 
 ## The distance of the centre as measured from [method from]: d . n, in pixels; negative behind the

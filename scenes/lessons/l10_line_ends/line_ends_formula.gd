@@ -98,7 +98,7 @@ func _put_equation(model: LineEndsModel) -> void:
 	_formula.put_number("d_squared", equation.difference.length_squared(), Palette.Role.INK)
 	_formula.put_number("r_squared", model.radius * model.radius, Palette.Role.INK)
 	_formula.put_number("a", equation.a, Palette.Role.INK)
-	var scale_of_b := 2.0 * scale * equation.motion.length()
+	var scale_of_b := 0.5 * scale * equation.motion.length()
 	_formula.put_sum("b", equation.b, scale_of_b, Palette.Role.INK)
 	_formula.put_number("c", equation.c, Palette.Role.INK)
 	_formula.put_number("discriminant", equation.discriminant(), Palette.Role.INK)
