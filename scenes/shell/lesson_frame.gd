@@ -105,6 +105,7 @@ func _ready() -> void:
 ## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone.
 func follow_link(text: String) -> void:
 	_end_drags()
+	_show_notice("")
 	LessonRequest.ask(text)
 	_open_requested()
 	if _history:
@@ -142,6 +143,11 @@ func _input(event: InputEvent) -> void:
 			_end_drags()
 	if event is InputEventMouseButton and not event.is_pressed():
 		_release_button.call_deferred()
+	if (
+		event.is_action_pressed(&"ui_focus_next", true)
+		or event.is_action_pressed(&"ui_focus_prev", true)
+	):
+		_pass_by_what_is_off()
 	if event is InputEventKey:
 		_show_help(false)
 	elif event is InputEventJoypadButton:
@@ -159,6 +165,25 @@ func _unhandled_key_input(event: InputEvent) -> void:
 func _release_button() -> void:
 	if get_viewport().gui_get_focus_owner() is BaseButton:
 		get_viewport().gui_release_focus()
+
+
+# The list of an [OptionButton] is a window of its own, which sees the click in it.
+func _release_lists() -> void:
+	for list: OptionButton in find_children("*", "OptionButton", true, false):
+		list.get_popup().about_to_popup.connect(_release_list.bind(list))
+
+
+func _release_list(list: OptionButton) -> void:
+	# A list that was opened by a key is gone on with by keys.
+	if Input.get_mouse_button_mask():
+		list.get_popup().popup_hide.connect(list.release_focus, CONNECT_ONE_SHOT | CONNECT_DEFERRED)
+
+
+# Tab stops only where something can be done, and goes on from what its own press has switched off.
+func _pass_by_what_is_off() -> void:
+	for button: BaseButton in find_children("*", "BaseButton", true, false):
+		var is_on := not button.disabled or button.has_focus()
+		button.focus_mode = FOCUS_ALL if is_on else FOCUS_NONE
 
 
 func _notification(what: int) -> void:
@@ -203,6 +228,7 @@ func _start_lesson() -> void:
 	_board_place.add_child(lesson)
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
+	_release_lists()
 
 
 # In place of the lesson, which may be half built.

@@ -9,15 +9,17 @@ const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
 static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	frame.lesson_info = lesson
-	frame.left.connect(open_start_screen.bind(tree))
+	frame.left.connect(open_start_screen.bind(tree, lesson))
 	frame.other_lesson_wanted.connect(func(other: LessonInfo) -> void: open_lesson(tree, other))
 	_change_scene.call_deferred(tree, frame)
 
 
-## Goes back to the start screen, the project's main scene.
-static func open_start_screen(tree: SceneTree) -> void:
-	var start_screen: String = ProjectSettings.get_setting("application/run/main_scene")
-	_change_scene.call_deferred(tree, (load(start_screen) as PackedScene).instantiate())
+## Goes back from the lesson [param left] to the start screen, the project's main scene.
+static func open_start_screen(tree: SceneTree, left: LessonInfo) -> void:
+	var main_scene: String = ProjectSettings.get_setting("application/run/main_scene")
+	var start_screen := (load(main_scene) as PackedScene).instantiate()
+	start_screen.set(&"came_from", left)
+	_change_scene.call_deferred(tree, start_screen)
 
 
 static func _change_scene(tree: SceneTree, scene: Node) -> void:

@@ -3,6 +3,10 @@ extends PanelContainer
 
 const _CARD := preload("res://scenes/shell/lesson_card.tscn")
 
+## The lesson from which the student comes back: its card has the focus. Null at the first start.
+var came_from: LessonInfo
+
+@onready var _scroll: ScrollContainer = %Scroll
 @onready var _cards: HFlowContainer = %Cards
 
 
@@ -13,7 +17,7 @@ func _ready() -> void:
 	Signs.add_to_font()
 	for lesson in LessonIndex.lessons():
 		_add_card(lesson)
-	(_cards.get_child(0) as Control).grab_focus()
+	_focus(came_from)
 	open_requested(LessonRequest.take_id())
 	WebPage.follow_fragment(_follow_link)
 	PageText.tell_page(self, [self])
@@ -29,6 +33,7 @@ func open_requested(id: String) -> void:
 	else:
 		(%Notice as Label).text = LessonIndex.refusal(id)
 		(%NoticePlace as Control).show()
+		_bring_into_sight(%NoticePlace as Control)
 
 
 func _follow_link(text: String) -> void:
@@ -41,3 +46,18 @@ func _add_card(lesson: LessonInfo) -> void:
 	_cards.add_child(card)
 	card.show_lesson(lesson)
 	card.pressed.connect(func() -> void: Navigation.open_lesson(get_tree(), lesson))
+
+
+# The card of a lesson, or the first one where there is none for it.
+func _focus(lesson: LessonInfo) -> void:
+	var place := maxi(LessonIndex.lessons().find(lesson), 0)
+	var card := _cards.get_child(place) as Control
+	card.grab_focus()
+	_bring_into_sight(card)
+
+
+# The cards have their places only after they are laid out, which takes two frames.
+func _bring_into_sight(part: Control) -> void:
+	for frame: int in 2:
+		await get_tree().process_frame
+	_scroll.ensure_control_visible(part)

@@ -16,7 +16,7 @@ const MOST_LISTS := 100
 # A refused text is quoted with at most this many letters.
 const _LONGEST_QUOTE := 30
 # Names of values that chats, mails and shops add to links, to see who follows them.
-const _TRACKERS := "^(utm_\\w+|\\w*cl(k)?id|igsh(id)?|mc_[ce]id|_\\w+|mkt_tok|srsltid|ref)$"
+const _TRACKERS := "^(utm_\\w+|\\w+id|igsh|mc_eid|_.+|mkt_tok|ref|trk|s[ai]|us[tg]|source|ved)$"
 
 ## The state that was read; meaningless if there is a [member problem].
 var state: Dictionary

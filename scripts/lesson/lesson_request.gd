@@ -4,10 +4,16 @@ extends RefCounted
 ## was started, or `#<id>?<state>` in a browser's address. The state may be left out.
 
 const _ARGUMENT := "--lesson="
-# What a chat or a mail puts behind a link.
-const _BEHIND := ".,;:!)]}>\"'”’ \n"
+# What a chat or a mail puts behind a link, some of it to show the link in bold or as code.
+const _BEHIND := ".,;:!?…)]}>»«\"'”’*_~`|/# "
+# What a mail breaks lines with, what a chat hides in a link, and what Markdown puts before a sign.
+const _INSIDE := (
+	"[\\t\\r\\n\\\\\\x{ad}\\x{200b}-\\x{200f}" + "\\x{202a}-\\x{202e}\\x{2060}-\\x{2069}\\x{feff}]"
+)
+# A link that went through several hands has its signs escaped more than once.
+const _MOST_ESCAPES := 3
 # A letter as an address writes it, in 1 to 3 bytes. Others cannot belong to a request.
-const _ESCAPE := "(?i)%(?:[2-7][\\da-f]|(?:c[2-9a-f]|d[\\da-f]|e[1-9a-cef]%NEXT)%NEXT)"
+const _ESCAPE := "(?i)%(?:0[9ad]|[2-7][\\da-f]|(?:c[2-9a-f]|d[\\da-f]|e[1-9a-cef]%NEXT)%NEXT)"
 const _NEXT_BYTE := "[89ab][\\da-f]"
 
 static var _is_read := false
@@ -21,11 +27,15 @@ static var _lesson_of_state := ""
 ## It may look as chats and mails leave it: `<#/Dot_Product/?a=7,1&amp;b=8,-6>.`
 static func ask(text: String) -> void:
 	_is_read = true
-	var plain := _without_escapes(text).xml_unescape().to_lower()
-	plain = plain.substr(plain.find("#") + 1).lstrip("/!").rstrip(_BEHIND).replace("?", "&")
+	var plain := text
+	for i in _MOST_ESCAPES:
+		plain = _without_escapes(plain).xml_unescape()
+	plain = RegEx.create_from_string(_INSIDE).sub(plain, "", true)
+	plain = plain.to_lower().replace("\u00a0", " ").rstrip(_BEHIND)
+	plain = plain.substr(plain.find("#") + 1).lstrip("/! ").replace("?", "&")
 	_lesson_of_state = plain.get_slice("&", 0)
-	_state = plain.trim_prefix(_lesson_of_state).trim_prefix("&")
-	_lesson_of_state = _lesson_of_state.rstrip("/")
+	_state = plain.trim_prefix(_lesson_of_state).trim_prefix("&").replace(" ", "")
+	_lesson_of_state = _lesson_of_state.rstrip("/ ")
 	_id = _lesson_of_state
 
 

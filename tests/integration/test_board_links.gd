@@ -132,6 +132,11 @@ func test_a_click_on_the_button_copies_the_link() -> void:
 	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "3.25")
 	await click_button("Copy a link to this board")
 	assert_string_starts_with(_notice(), "✓ Copied: #dot_product?a=3.25,1 It goes behind")
+	var place := frame().get_node("%NoticePlace") as Control
+	assert_eq(place.theme_type_variation, &"PanelCard", "good news is not in the frame of errors")
+	assert_false(
+		place.get_global_rect().intersects(frame().lesson.get_global_rect()), "nor on the board"
+	)
 
 
 func test_a_key_copies_the_link() -> void:
@@ -178,6 +183,9 @@ func test_a_link_that_comes_while_its_lesson_is_open_is_a_change_that_can_be_und
 	assert_eq(frame().link.text(), "dot_product?a=3,4")
 	frame().follow_link("#dot_product?a=3")
 	assert_eq(frame().link.text(), "dot_product?a=3,4", "a wrong link changes nothing")
+	assert_string_starts_with(_notice(), "This link cannot be opened")
+	frame().follow_link("#dot_product?a=3,4")
+	assert_eq(_notice(), "", "a link that can be opened clears the refusal of the last one")
 	await student.press(&"lab_undo")
 	assert_eq(frame().link.text(), "dot_product")
 

@@ -1,6 +1,8 @@
 extends ScreenTest
 ## One meaning for each key in all lessons, and none at all for what the focused control uses.
 
+const _MOST_TABS := 200
+
 
 func test_space_on_a_focused_button_presses_it_and_no_more() -> void:
 	for lesson: LessonInfo in _with(&"transport"):
@@ -23,6 +25,65 @@ func test_after_a_click_on_a_button_space_is_slow_motion_again() -> void:
 		await student.press_key(KEY_SPACE)
 		assert_true(Screen.button(screen(), "Slow motion").button_pressed, lesson.id)
 		screen().free()
+
+
+func test_after_a_choice_by_the_mouse_space_is_slow_motion_again() -> void:
+	await open_lesson(LessonIndex.find(&"angled_lines"))
+	var lists := frame().find_children("*", "OptionButton", true, false)
+	assert_gt(lists.size(), 2)
+	for list: OptionButton in lists:
+		await student.click(list)
+		await _click_in(list.get_popup())
+		assert_gt(list.selected, 0, "something else was chosen")
+		assert_false(list.has_focus())
+		assert_false(list.get_popup().visible)
+		var slow := Screen.button(screen(), "Slow motion")
+		slow.button_pressed = false
+		await student.press_key(KEY_SPACE)
+		assert_true(slow.button_pressed)
+
+
+func test_a_list_that_was_opened_by_a_key_keeps_the_focus() -> void:
+	await open_lesson(LessonIndex.find(&"normals"))
+	var list := frame().find_children("*", "OptionButton", true, false)[0] as OptionButton
+	list.grab_focus()
+	await student.press_key(KEY_SPACE)
+	await student.press_key(KEY_DOWN)
+	await student.press_key(KEY_ENTER)
+	assert_gt(list.selected, 0)
+	assert_true(list.has_focus())
+
+
+func test_tab_stops_only_where_something_can_be_done() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		await open_lesson(lesson)
+		student.window.gui_release_focus()
+		var round_of_tabs: Array[Control] = []
+		while round_of_tabs.size() < _MOST_TABS:
+			await student.press_key(KEY_TAB)
+			var stop := student.window.gui_get_focus_owner()
+			if stop in round_of_tabs:
+				break
+			round_of_tabs.append(stop)
+			var button := stop as BaseButton
+			if button:
+				assert_false(button.disabled, "%s in %s" % [button.name, lesson.id])
+		assert_lt(round_of_tabs.size(), _MOST_TABS)
+		assert_has(round_of_tabs, Screen.button(screen(), "Step forward"))
+		screen().free()
+
+
+func test_a_button_that_its_own_press_switches_off_keeps_the_place_of_the_tab_key() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	await student.click_at(frame().lesson.get_global_rect().get_center() - Vector2(90, 70))
+	var undo := Screen.button(screen(), "Undo")
+	undo.grab_focus()
+	await student.press_key(KEY_SPACE)
+	assert_true(undo.disabled)
+	await student.press_key(KEY_TAB)
+	assert_true(Screen.button(screen(), "Redo").has_focus())
+	await student.press_key(KEY_TAB, true)
+	assert_false(undo.has_focus(), "it is off, and has been left")
 
 
 func test_space_on_the_title_of_the_question_unfolds_it_and_no_more() -> void:
@@ -83,6 +144,12 @@ func test_the_digits_of_the_keypad_choose_what_the_digits_choose() -> void:
 		await student.press_key((KEY_KP_0 + digit) as Key)
 		var preset: int = frame().lesson.state()["preset"]
 		assert_eq(preset, digit)
+
+
+# Chooses another entry of an open list.
+func _click_in(popup: PopupMenu) -> void:
+	var at := Vector2(popup.position) + Vector2(30.0, popup.size.y * 0.7)
+	await student.click_at(at)
 
 
 # What passes in the lesson that is open, as it comes; empty where it has no transport.

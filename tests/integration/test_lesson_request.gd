@@ -53,6 +53,19 @@ func test_a_link_that_a_chat_or_a_mail_has_touched_is_the_same_request() -> void
 		"https://example.org/lab/index.html?fbclid=x#dot_product?a=7,1&b=8,-6",
 		"<https://example.org/lab/#/dot_product?a=7,1&b=8,-6>,",
 		" #dot_product?a=7,1&b=8,-6\n",
+		"#dot\\_product?a=7,1&b=8,\\-6",
+		"**#dot_product?a=7,1&b=8,-6**",
+		"`#dot_product?a=7,1&b=8,-6`",
+		"»#dot_product?a=7,1&b=8,-6/«…",
+		"#dot_product?a=7,1&b=8,-6\u200b",
+		"\u202a#dot_product?a=7,1&b=8,-6\u202c\u00a0",
+		"#dot_product?a=7,1&b=8,-6#",
+		"#dot_product?a=7,1&\r\n b=8, -6",
+		"#dot_pro\nduct?a=7,1&b=8,-6",
+		"#dot_product?a=7,1&%0D%0Ab=8,-6",
+		"#dot_product?a=7,1&amp;amp;b=8,-6",
+		"#dot_product%253Fa%253D7%252C1%2526b%253D8%252C-6",
+		"https://example.org/url?q=https://example.org/lab/%23dot_product?a=7,1%26b=8,-6",
 	]:
 		LessonRequest.ask(text)
 		assert_eq(LessonRequest.take_id(), "dot_product", text)

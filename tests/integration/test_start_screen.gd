@@ -1,6 +1,8 @@
 extends ScreenTest
 ## The start screen: cards that can be read, and opened by mouse, finger, keyboard and gamepad.
 
+const _SIZES: Array[Vector2i] = [Vector2i(1280, 720), Vector2i(800, 600), Vector2i(390, 844)]
+
 
 func test_a_card_for_every_lesson_shows_number_title_line_and_picture() -> void:
 	await open_start_screen()
@@ -75,6 +77,47 @@ func test_escape_and_the_gamepads_b_lead_back_from_a_lesson() -> void:
 func test_no_notice_is_shown_unless_something_is_wrong() -> void:
 	await open_start_screen()
 	assert_false((screen().get_node("%NoticePlace") as Control).visible)
+
+
+func test_the_way_back_leads_to_the_card_of_the_lesson_that_was_left() -> void:
+	for size: Vector2i in _SIZES:
+		await resize(size)
+		await open_start_screen()
+		for tab: int in 9:
+			await student.press_key(KEY_TAB)
+		await student.press_key(KEY_ENTER)
+		await student.press_key(KEY_ESCAPE)
+		await student.settle()
+		assert_same(student.window.gui_get_focus_owner(), _cards()[9], str(size))
+		_assert_is_in_sight(_cards()[9])
+		screen().free()
+
+
+func test_the_refusal_of_an_unknown_lesson_is_in_sight() -> void:
+	for size: Vector2i in _SIZES:
+		await resize(size)
+		LessonRequest.ask("nonsense")
+		await open_start_screen()
+		await student.settle()
+		assert_reads("There is no lesson “nonsense”.")
+		_assert_is_in_sight(screen().get_node("%Notice") as Control)
+		screen().free()
+
+
+func test_the_refusal_of_a_link_is_in_sight_however_far_one_has_scrolled() -> void:
+	await resize(_SIZES[0])
+	await open_start_screen()
+	for tab: int in 9:
+		await student.press_key(KEY_TAB)
+	screen().call(&"_follow_link", "#nonsense")
+	await student.settle()
+	_assert_is_in_sight(screen().get_node("%Notice") as Control)
+
+
+func _assert_is_in_sight(control: Control) -> void:
+	var place := control.get_global_rect()
+	var window := student.window.get_visible_rect()
+	assert_true(window.encloses(place), "%s at %s in %s" % [control.name, place, window])
 
 
 func _assert_first_lesson_is_open() -> void:

@@ -37,3 +37,44 @@ static func false_claim(texts: PackedStringArray, claims: Dictionary[String, boo
 		if not claims[found]:
 			return "it is not so: “%s”" % text
 	return ""
+
+
+## The first of [param labels] that is not one of [param claims], or should not be there. The claims
+## say for whole labels whether they may be on the board.
+static func false_label(labels: PackedStringArray, claims: Dictionary[String, bool]) -> String:
+	for label in labels:
+		if not claims.has(label):
+			return "no claim is known for the label “%s”" % label
+		if not claims[label]:
+			return "it should not be on the board: “%s”" % label
+	return ""
+
+
+## The first number in [param texts] that does not stand for the right one: [param wanted] holds the
+## right one by the words before it. [param rounding] is what double numbers may be off by.
+static func false_number(
+	texts: PackedStringArray, wanted: Dictionary[String, float], rounding: float
+) -> String:
+	for text in texts:
+		for words in wanted:
+			var shown := SeenLesson.number_behind(words, text)
+			if not is_nan(shown) and not SeenLesson.is_close(shown, wanted[words], rounding):
+				return "it is %s: “%s”" % [wanted[words], text]
+	return ""
+
+
+## The two numbers of [param text], such as `(3, −4)`; two NAN where there are none.
+static func pair(text: String) -> PackedFloat64Array:
+	var parts := text.strip_edges().trim_prefix("(").get_slice(")", 0).split(", ")
+	if not text.contains("(") or parts.size() != 2:
+		return [NAN, NAN]
+	return [SeenLesson.first_number(parts[0]), SeenLesson.first_number(parts[1])]
+
+
+## Whether [param text] is the pair [param x], [param y], as [method SeenLesson.is_close] has it.
+static func is_pair(text: String, x: float, y: float, rounding: float) -> bool:
+	var numbers := pair(text)
+	return (
+		SeenLesson.is_close(numbers[0], x, rounding)
+		and SeenLesson.is_close(numbers[1], y, rounding)
+	)

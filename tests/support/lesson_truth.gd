@@ -2,6 +2,9 @@ class_name LessonTruth
 extends RefCounted
 ## Shows a lesson in many states, at each of its steps, and collects what it says that is false.
 
+## All states have been looked at in [param step], counted from 1.
+signal step_seen(step: int)
+
 
 ## A false line, or what a judge has found.
 class Finding:
@@ -75,6 +78,7 @@ func _look_at(state_count: int, seed_number: int) -> void:
 			if i % _STATES_IN_A_FRAME == 0:
 				await _frame.get_tree().process_frame
 		step += 1
+		step_seen.emit(step)
 		if not steps:
 			return
 		steps.go_to(step)

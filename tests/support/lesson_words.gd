@@ -80,6 +80,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"no root. This end is not touched.",
 			"the line is met first",
 			"moving away: none",
+			"it only grazes: none",
 			"overlap: t = 0",
 			"counts",
 			"none",
@@ -99,8 +100,8 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{
 		words =
 		[
-			"Point at a mark with a line:",
-			"its slope is the order p.",
+			"Point at a mark on a line",
+			"to see its order p.",
 			"One of the two settings has no answer.",
 			"One of the two errors is 0.",
 			"Both settings take the same time.",

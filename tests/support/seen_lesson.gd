@@ -22,6 +22,8 @@ var lines: PackedStringArray = []
 var labels: PackedStringArray = []
 ## The notice above the board.
 var notice := ""
+## What is said of work that takes a while.
+var progress := ""
 
 
 ## What [param frame] shows now.
@@ -64,6 +66,8 @@ func _read_services(services: Dictionary[StringName, Control]) -> void:
 		sentence = (services[&"steps"].get_node("%Sentence") as Label).text
 	if services.has(&"formula"):
 		lines = Screen.lines(services[&"formula"] as Formula)
+	if services.has(&"progress"):
+		progress = (services[&"progress"].get_node("%Words") as Label).text
 	var readout: Readout = services.get(&"readout")
 	if not readout or not readout.is_visible_in_tree():
 		return
@@ -78,13 +82,16 @@ func _read_services(services: Dictionary[StringName, Control]) -> void:
 
 
 func _read_board(part: Node) -> void:
-	if part is CanvasItem and not (part as CanvasItem).visible:
+	# What was replaced is freed at the end of a frame.
+	if part.is_queued_for_deletion() or part is CanvasItem and not (part as CanvasItem).visible:
 		return
 	if part is VerdictCard:
 		verdict_sign = (part.get_node("%Sign") as Label).text
 		verdict = (part.get_node("%Words") as Label).text.split("\n")
 		return
-	for property: StringName in [&"label", &"text"]:
+	if part is StabilityMark:
+		labels.append((part as StabilityMark).accessibility_name)
+	for property: StringName in [&"label", &"text", &"note", &"left_sentence", &"right_sentence"]:
 		var text: Variant = part.get(property)
 		if text is String and text:
 			labels.append(str(text))

@@ -29,19 +29,22 @@ var _has_sums := false
 @onready var _fields: FieldTitles = %Fields
 @onready var _left := _position.tail_point()
 @onready var _right := _value.tail_point()
+# How far they are apart in the scene.
+@onready var _apart := _right.x - _left.x
 
 
 func start() -> void:
 	var first := _position.head_point().minus(_left)
 	_model.remember_and_move(first, Vec2.from_vector2(changed_place))
-	_let_drag(_position, _left)
-	_let_drag(_value, _right)
+	_let_drag(_position)
+	_let_drag(_value)
 	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
 	on_enter(_enter)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
-	options.add_preset("remember", tr("Remember now"))
-	on_edit(options.switched, _switch)
+	options.add_preset("remember", tr("Start again from here"))
+	_readout.show_headings([tr("0.1 added up"), tr("sum"), tr("error"), tr("per addition")])
+	on_pick(_model.take)
 	on_edit(options.preset_picked, _model.remember.unbind(1))
 	var kinds := SharingExercise.Kind.size()
 	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
@@ -49,8 +52,8 @@ func start() -> void:
 	open_with(_sway.bind(_model.first_place(), _model.position.copy()))
 
 
-func _let_drag(vector: DraggableVector, origin: Vec2) -> void:
-	on_drag(vector.moved, vector.released, _move.bind(origin))
+func _let_drag(vector: DraggableVector) -> void:
+	on_drag(vector.moved, vector.released, _move.bind(vector))
 	vector.released.connect(func() -> void: _before = null)
 
 
@@ -65,7 +68,8 @@ func _sway(seconds: float, first: Vec2, second: Vec2) -> void:
 
 
 # A vector that is dragged by its tail or as a whole moves its head: the tail stays at the origin.
-func _move(tail: Vec2, head: Vec2, origin: Vec2) -> void:
+func _move(tail: Vec2, head: Vec2, vector: DraggableVector) -> void:
+	var origin := _left if vector == _position else _right
 	if not _before:
 		_before = _shown_place()
 	var moved := head.minus(origin)
@@ -97,20 +101,19 @@ func _shown_place() -> Vec2:
 	return _model.position.copy() if _is_changed() else _model.first_place()
 
 
-func _switch(_key: String, on: bool) -> void:
-	_model.copies = on
-	_model.remember()
-
-
 # What the student sees.
 
 
-# As much of the plane on both sides of each origin as position needs on one.
+# As much of the plane on both sides of each origin as position needs on one. Where that is much,
+# the origins are farther apart, by round numbers: no arrow reaches into the other field.
 func _reach() -> Array[Vec2]:
 	var first := _model.first_place()
 	var reach := Vec2.new(
 		maxf(absf(_model.position.x), absf(first.x)), maxf(absf(_model.position.y), absf(first.y))
 	)
+	var unit := 10.0 ** floorf(log(maxf(reach.x, 1.0)) / log(10.0))
+	_right.x = maxf(_apart / 2.0, 2.0 * unit * ceilf((reach.x / unit + 1.0) / 2.0))
+	_left.x = -_right.x
 	return [_right.plus(reach), _right.minus(reach)]
 
 
@@ -122,6 +125,8 @@ func _show() -> void:
 		func() -> int: return 1 if _model.copies else 0
 	)
 	tell_steps(ClassOrValueTexts.sentences(_model.copies))
+	# Copies are the cure: they come with the harm.
+	services[&"options"].visible = _is_changed()
 	_show_arrows()
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
 	_formula.show_model(_model, step)

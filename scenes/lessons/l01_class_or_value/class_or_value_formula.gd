@@ -54,10 +54,12 @@ func _put_numbers(model: ClassOrValueModel, place: Vec2) -> void:
 	_formula.put_number("y", place.y, Palette.Role.A, tr("y of position"))
 	_put_object("first_pair", model.first_place(), Palette.Role.A)
 	_put_object("position_pair", model.position, Palette.Role.A)
-	_put_object("old_pair", model.old, Palette.Role.UNIT)
+	var old := NumberText.pair(model.old.x, model.old.y, _DIGITS_OF_OBJECT)
+	_formula.put_answer("old_pair", old, Palette.Role.UNIT)
 	_put_value("first_value_pair", model.first_place().to_vector2(), Palette.Role.B)
 	_put_value("value_pair", model.value, Palette.Role.B)
-	_put_value("old_value_pair", model.old_value, Palette.Role.UNIT)
+	var old_value := NumberText.pair(model.old_value.x, model.old_value.y, _DIGITS_OF_VALUE)
+	_formula.put_answer("old_value_pair", old_value, Palette.Role.UNIT)
 
 
 func _put_object(name_in_line: String, object: Vec2, role: Palette.Role) -> void:

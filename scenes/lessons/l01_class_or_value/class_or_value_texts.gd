@@ -12,33 +12,35 @@ static func sentences(copies: bool) -> PackedStringArray:
 		"old = position gives the Vec2 a second name. old_value = value copies the Vector2."
 	)
 	var third := LabText.translate(
-		"set_xy changes the one Vec2: old shows it, too. old_value stays. Drag position!"
+		"set_xy changes the one Vec2, so old changes, too. old_value stays. Drag position!"
 	)
 	if copies:
 		second = LabText.translate(
 			"old = position.copy() makes a second Vec2 with the same numbers."
 		)
 		third = LabText.translate(
-			"set_xy changes the Vec2 of position. old is a copy and stays, as old_value does."
+			"set_xy changes only the first Vec2. old is a copy and stays, just like old_value."
 		)
 	return [
 		LabText.translate(
-			"One place twice: as a Vec2, which is an object, and as a Vector2, which is a value."
+			"The same place, stored twice: in a Vec2, an object, and in a Vector2, a value."
 		),
 		second,
 		third,
-		LabText.translate("Why Vec2 at all? It has 64 bits. Add 0.1 a million times and compare."),
+		LabText.translate("Why Vec2? It keeps 64 bits of each number, Vector2 only 32."),
 	]
 
 
 ## What is asked before the change, translated.
 static func question() -> String:
-	return LabText.translate("Now position.set_xy(…) moves position. Does old move, too?")
+	return LabText.translate(
+		"Now position.set_xy(…) moves position. Which place does old hold then?"
+	)
 
 
 ## The answers to [method question], translated.
 static func choices() -> PackedStringArray:
-	return [LabText.translate("it moves, too"), LabText.translate("it stays")]
+	return [LabText.translate("the new place"), LabText.translate("the old place")]
 
 
 ## What is said of the Vec2 and of the Vector2 at [param step]: how many names it has, and whether

@@ -3,6 +3,9 @@ class_name FieldTitles
 extends BoardPart
 ## Names the two fields of the lesson, and says whether the two names in each share one thing.
 
+## Half as wide as the longest title and sentence, in pixels.
+const HALF_TITLE := 110.0
+
 ## The origin of the field of the Vec2, in units of the plane.
 @export var left := Vector2.ZERO:
 	get:
@@ -42,6 +45,16 @@ func show_fields(left_origin: Vec2, right_origin: Vec2, sentences: PackedStringA
 	show_change()
 
 
+## The middle of each title in pixels from the left of the board: above its origin, but never
+## outside of its half of the board.
+func title_places() -> PackedFloat32Array:
+	var quarter := board.size.x / 4.0
+	var room := maxf(quarter - HALF_TITLE, 0.0)
+	var left_x := clampf(board.to_screen(_left).x, quarter - room, quarter + room)
+	var right_x := clampf(board.to_screen(_right).x, 3.0 * quarter - room, 3.0 * quarter + room)
+	return [left_x, right_x]
+
+
 func spanned_points() -> Array[Vec2]:
 	return [_left, _right]
 
@@ -49,8 +62,9 @@ func spanned_points() -> Array[Vec2]:
 func _draw() -> void:
 	var middle := board.size.x / 2.0
 	draw_line(Vector2(middle, 0.0), Vector2(middle, board.size.y), Palette.AXIS, 1.5)
-	_write(middle / 2.0, tr("Vec2: an object"), left_sentence, Palette.Role.A)
-	_write(middle * 1.5, tr("Vector2: a value"), right_sentence, Palette.Role.B)
+	var places := title_places()
+	_write(places[0], tr("Vec2: an object"), left_sentence, Palette.Role.A)
+	_write(places[1], tr("Vector2: a value"), right_sentence, Palette.Role.B)
 	for origin: Vec2 in [_left, _right]:
 		draw_circle(board.to_screen(origin), 4.0, Palette.AXIS, true, -1.0, true)
 

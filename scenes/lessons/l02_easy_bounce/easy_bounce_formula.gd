@@ -137,14 +137,14 @@ func _put_easy() -> void:
 	_formula.put_number("line_at", _model.line_at(_moved.position), Palette.Role.INK)
 	_formula.put_number("p_axis", _on_axis(_moved), Palette.Role.INK)
 	_formula.put_number("straight", straight, role)
-	_formula.put_text("easy_hit", _hit_text(straight, _model.easy_detects(_moved)), role)
+	_formula.put_answer("easy_hit", _hit_text(straight, _model.easy_detects(_moved)), role)
 	_formula.put_number("back", _on_axis(easy), role)
 	_formula.put_vector("v_easy", easy.velocity, role)
 
 
 func _put_right() -> void:
 	var right := _model.right_result(_moved)
-	var from_l := _model.from_line_start(_moved.position)
+	var from_l := _without_rounding(_model.from_line_start(_moved.position))
 	var normal := _model.normal()
 	# By the numbers of its line: far out their rounding is not that of the model.
 	var shortest := from_l.dot(normal)
@@ -159,13 +159,19 @@ func _put_right() -> void:
 	_formula.put_number("dy", from_l.y, Palette.Role.INK)
 	_formula.put_sum("shortest", shortest, from_l.length(), Palette.Role.A)
 	_formula.put_number("distance", shortest, Palette.Role.A)
-	_formula.put_text(
+	_formula.put_answer(
 		"right_hit", _hit_text(shortest, _model.right_detects(_moved)), Palette.Role.A
 	)
 	_formula.put_number("depth", _model.depth(_moved), Palette.Role.A)
 	_formula.put_vector("p_right", right.position, Palette.Role.A)
 	_formula.put_number("along_n", _moved.velocity.dot(normal), Palette.Role.A)
 	_formula.put_vector("v_right", right.velocity, Palette.Role.A)
+
+
+# A difference such as 120 − 120.00000000000001 is 0.
+func _without_rounding(difference: Vec2) -> Vec2:
+	var x := 0.0 if _model.is_rounding(difference.x, _moved) else difference.x
+	return Vec2.new(x, 0.0 if _model.is_rounding(difference.y, _moved) else difference.y)
 
 
 func _hit_text(distance: float, is_hit: bool) -> String:

@@ -42,7 +42,9 @@ static func needs_velocity(step: int) -> bool:
 
 static func _move_sentence(model: EasyBounceModel, moved: Ball) -> String:
 	if not model.right_detects(moved):
-		return LabText.translate("Move: each frame adds v to P. Here the ball stays off the line.")
+		return LabText.translate(
+			"Move: each frame adds v to P. Here the ball does not reach the line."
+		)
 	if model.shortest_distance(moved.position) <= -moved.radius:
 		return LabText.translate("Move: each frame adds v to P. Now the ball is behind the line.")
 	return LabText.translate("Move: each frame adds v to P. Now the ball overlaps the line.")
@@ -76,7 +78,7 @@ static func _flip_sentence(model: EasyBounceModel, moved: Ball) -> String:
 	if not model.right_reflects(moved):
 		return LabText.translate("Flip: only where v points into the line. Here v stays.")
 	if not model.is_level():
-		return LabText.translate("Flip: only v's part along the normal n̂ changes its sign.")
+		return LabText.translate("Flip: only the part of v along the normal n̂ changes its sign.")
 	if model.is_wall:
 		return LabText.translate("Flip: x of v changes its sign, y stays.")
 	return LabText.translate("Flip: y of v changes its sign, x stays.")

@@ -99,14 +99,14 @@ func _wrong_flip() -> String:
 
 
 func _judge_bounce() -> void:
-	var in_frame := _model.frame()
-	var apart := _model.distance_apart(in_frame)
+	var apart := _model.distance_apart(_model.frame())
+	var in_frame := tr("Frame %s:") % NumberText.short(_model.frame())
 	if _model.is_level():
 		_say("✓", [tr("The easy way is right"), tr("in all three steps")], Palette.Role.RIGHT)
 	elif _model.is_rounding(apart, _moved):
-		_say("=", [tr("Frame %d:") % in_frame, tr("both balls are in one place")])
+		_say("=", [in_frame, tr("both balls are in one place")])
 	else:
-		_say_wrong(tr("Frame %d:") % in_frame, tr("the easy ball is %s px off"), apart)
+		_say_wrong(in_frame, tr("the easy ball is %s px off"), apart)
 
 
 func _missed() -> String:

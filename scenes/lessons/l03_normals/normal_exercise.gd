@@ -61,14 +61,15 @@ func board_state() -> Dictionary:
 func _ask_normal() -> void:
 	prompt = tr("v = %s. What is its normal n, +90° from v?") % NumberText.pair(v.x, v.y)
 	_ask_for(["nx =", "ny ="], Vec2.new(-v.y, v.x))
-	_add(v.normal(), tr("That is the unit normal: n itself is not divided by its length."))
+	_add_on_both_sides(v.normal(), tr("That has length 1: n itself is not divided by its length."))
+	_add(v, _along_v())
 	_add_wrong_directions(1.0)
 
 
 func _ask_unit() -> void:
 	prompt = tr("v = %s. What is its unit normal n̂?") % NumberText.pair(v.x, v.y)
 	_ask_for(["n̂x =", "n̂y ="], v.normal())
-	_add(Vec2.new(-v.y, v.x), _not_normalized())
+	_add_on_both_sides(Vec2.new(-v.y, v.x), _not_normalized())
 	_add(v.normalized(), tr("That is v with length 1: now turn it by +90°."))
 	_add_wrong_directions(1.0 / v.length())
 
@@ -77,9 +78,12 @@ func _ask_scaled() -> void:
 	var texts := [NumberText.pair(v.x, v.y), NumberText.short(wanted_length)]
 	prompt = tr("A line runs along v = %s. Its normal is drawn %s pixels long. Which?") % texts
 	_ask_for(["x =", "y ="], v.normal().scaled(wanted_length))
-	_add(Vec2.new(-v.y, v.x).scaled(wanted_length), _not_normalized())
-	_add(v.normal(), tr("That is n̂, 1 pixel long: it still has to be scaled."))
-	_add(Vec2.new(-v.y, v.x), tr("That is n: first divide by its length, then scale."))
+	_add_on_both_sides(Vec2.new(-v.y, v.x).scaled(wanted_length), _not_normalized())
+	_add_on_both_sides(v.normal(), tr("That is 1 pixel long: it still has to be scaled."))
+	_add_on_both_sides(
+		Vec2.new(-v.y, v.x), tr("That is as long as v: first divide by its length, then scale.")
+	)
+	_add(v.normalized().scaled(wanted_length), _along_v())
 	_add_wrong_directions(wanted_length / v.length())
 
 
@@ -95,6 +99,10 @@ func _add_wrong_directions(factor: float) -> void:
 	_add(Vec2.new(-x, y), tr("Swap the components, too: (−y, x)."))
 
 
+func _along_v() -> String:
+	return tr("That runs along v: turn it by +90°.")
+
+
 func _not_normalized() -> String:
 	var sentence := tr("Not divided by the length: that is %s times too long.")
 	return sentence % NumberText.short(v.length())
@@ -103,6 +111,12 @@ func _not_normalized() -> String:
 func _ask_for(titles: PackedStringArray, answer: Vec2) -> void:
 	answer_titles = titles
 	right_answer = [answer.x, answer.y]
+
+
+# The same mistake of those who have chosen the opposite normal.
+func _add_on_both_sides(answer: Vec2, sentence: String) -> void:
+	_add(answer, sentence)
+	_add(answer.negated(), sentence)
 
 
 func _add(answer: Vec2, sentence: String) -> void:

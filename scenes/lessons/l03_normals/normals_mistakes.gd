@@ -60,7 +60,7 @@ static func infos() -> Array[MistakeInfo]:
 		MistakeInfo.new(
 			CUT_LENGTH,
 			LabText.translate("length cut to an integer"),
-			LabText.translate("int(0.5) is 0: short is taken for zero."),
+			LabText.translate("int(0.5) is 0: a short v counts as zero."),
 			script + "test_mistake_7_the_length_cut_to_a_whole_number",
 			LabText.translate("The test normalizes (0.3, 0.4) and wants (0.6, 0.8).")
 		),

@@ -44,7 +44,7 @@ static func uncut_text(length: float) -> String:
 
 static func _sentences(model: NormalsModel) -> PackedStringArray:
 	var turned := LabText.translate(
-		"Turn v with its triangle by +90°, %s: x now runs along y, and y against x. So n = (−y, x)."
+		"Turn v and its triangle by +90°, %s: x now runs along y, y against x. So n = (−y, x)."
 	)
 	return [
 		LabText.translate("A line has a direction: v = end − start. Drag its ends, or all of it."),
@@ -53,7 +53,7 @@ static func _sentences(model: NormalsModel) -> PackedStringArray:
 		LabText.translate(
 			"Divide n by its length: the unit normal n̂ has length 1. Normal is not normalized!"
 		),
-		LabText.translate("One pixel is too short to see: draw n̂ k times as long."),
+		LabText.translate("One pixel is too short to see, so draw a multiple of n̂."),
 	]
 
 
@@ -73,9 +73,9 @@ static func _mistake_sentence(model: NormalsModel) -> String:
 	if model.mistake == NormalsMistakes.ZERO_VECTOR:
 		if model.has_direction():
 			return LabText.translate(
-				"Mistake 6 is on. Only a zero v shows it: drag the end to the start."
+				"Mistake 6 is on. It shows only if v is zero: drag the end to the start."
 			)
 		return LabText.translate("Mistake 6 is on: it divides by a length of 0.")
 	if model.is_mistaken():
 		return LabText.translate("Mistake 7 is on: int() cuts the length to 0.")
-	return LabText.translate("Mistake 7 is on. Only a v shorter than 1 shows it, and not zero.")
+	return LabText.translate("Mistake 7 is on. It shows only if v is shorter than 1, but not zero.")

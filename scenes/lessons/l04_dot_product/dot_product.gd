@@ -130,7 +130,7 @@ func _show_plot() -> void:
 
 
 func _show_calls() -> void:
-	_readout.visible = step == DotProductTexts.Step.PRIMITIVE
+	_readout.visible = step == DotProductTexts.Step.PRIMITIVE and _model.onto().length() > 0.0
 	if not _readout.visible:
 		return
 	var shadowed := _model.shadowed()

@@ -29,12 +29,12 @@ func show_model(model: DotProductModel, step: int) -> void:
 	_tail_drop.visible = has_shadow and step >= DotProductTexts.Step.SCALAR
 	_head_drop.visible = _tail_drop.visible
 	_projection.visible = has_shadow and step >= DotProductTexts.Step.PROJECTION
-	_rejection.visible = is_rest_shown and has_shadow and model.rejection().length() > 0.0
+	_rejection.visible = is_rest_shown and has_shadow and not model.leaves_nothing()
 	_right_angle.visible = _right_angle.visible and _rejection.visible
 	# What has no direction has no arc.
 	_angle.visible = _angle.visible and step >= DotProductTexts.Step.SCALAR
 	for arc: AngleArc in [_alpha, _beta]:
-		arc.visible = arc.visible and step == DotProductTexts.Step.PRIMITIVE
+		arc.visible = _angle.visible and arc.visible and step == DotProductTexts.Step.PRIMITIVE
 
 
 func _lay_angles(model: DotProductModel) -> void:

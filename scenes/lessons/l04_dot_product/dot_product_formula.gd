@@ -28,7 +28,7 @@ const _WRONG_LINES: Array[Array] = [
 const _ANGLE_LINES: Array[String] = [
 	_DOT,
 	"{u} · {w} = |{u}| |{w}| cos φ",
-	"{u} · {w} = {u_length}·{w_length}·cos {angle}° = {dot_used}",
+	"{u} · {w} = {u_length}·{w_length}·cos {angle}° = {by_angle}",
 	"{v} · {e} = cos φ = {cosine}",
 ]
 const _PRIMITIVE_LINES: Array[String] = [
@@ -84,8 +84,7 @@ func _put_both_vectors(model: DotProductModel) -> void:
 
 # The first line says what is rounding; in those after it that is 0.
 func _put_dot(model: DotProductModel, is_moving: bool) -> void:
-	var terms := absf(model.a().x * model.b().x) + absf(model.a().y * model.b().y)
-	var is_rounding := absf(model.dot()) <= FormulaStatement.ROUNDING * terms
+	var is_rounding := model.is_dot_zero()
 	var unrounded := model.dot() if not (is_rounding and is_moving) else 0.0
 	_formula.put_number("dot", unrounded, Palette.Role.INK)
 	_formula.put_number("dot_used", 0.0 if is_rounding else model.dot(), Palette.Role.INK)
@@ -107,12 +106,16 @@ func _put_shadow(model: DotProductModel) -> void:
 	_formula.put_number("w_x", model.onto().x, role_of_w)
 	_formula.put_number("w_y", model.onto().y, role_of_w)
 	_formula.put_number("w_length", model.onto().length(), role_of_w)
-	var check := model.rejection().dot(model.onto())
+	# As the lines above show p: 0 where the dot product is only rounding.
+	var projection := Vec2.new() if model.is_dot_zero() else model.vector_projection()
+	var rejection := model.shadowed().minus(projection)
+	var check := rejection.dot(model.onto())
 	var size := model.shadowed().length() * model.onto().length()
 	_formula.put_sum("check", check, size, Palette.Role.REST)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
-	var parts := model.shadowed().length() + model.vector_projection().length()
-	_formula.put_vector_sum("rejection", model.rejection(), parts, Palette.Role.REST)
+	var u := model.shadowed()
+	var parts := Vec2.new(absf(u.x) + absf(projection.x), absf(u.y) + absf(projection.y))
+	_formula.put_vector_sum("rejection", rejection, parts, Palette.Role.REST)
 	_formula.put_number("w_square", model.onto().length_squared(), role_of_w)
 
 
@@ -128,10 +131,12 @@ func _put_angles(model: DotProductModel) -> void:
 	_formula.put_number("u_degrees", of_u, role_of_u)
 	_formula.put_number("w_degrees", of_w, role_of_w)
 	_formula.put_number("angle", model.angle_degrees(), Palette.Role.INK)
+	# The angles are rounded, too, and shown with fewer digits than the sum of two products needs.
+	var size := 256.0 * model.shadowed().length()
+	var dot := 0.0 if model.is_dot_zero() else model.dot()
+	_formula.put_sum("by_angle", dot, size * model.onto().length(), Palette.Role.INK)
 	var is_rounding := absf(of_u - of_w) <= FormulaStatement.ROUNDING * (absf(of_u) + absf(of_w))
 	_formula.put_number("phi", 0.0 if is_rounding else of_u - of_w, Palette.Role.INK)
 	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
 	var primitive := PrimitiveProjection.scalar(model.shadowed(), model.onto())
-	# The angles are rounded, too: that counts several times as much as a sum would.
-	var size := 8.0 * model.shadowed().length()
 	_formula.put_sum("primitive", primitive, size, Palette.Role.PROJECTION)

@@ -4,6 +4,9 @@ extends LessonModel
 ##
 ## Each vector has a tail and a head, in units; what is computed depends on head minus tail alone.
 
+# A dot product, or a length minus 1, of at most this share of its terms is rounding.
+const _ROUNDING := 1.0 / 2.0 ** 50
+
 ## Presets by their titles (source text): what each changes in the model's state.
 const PRESETS: Dictionary[String, Dictionary] = {
 	"Lecture": {a = [7, 1], a_from = [0, 0], b = [8, -6], b_from = [0, 0]},
@@ -70,6 +73,12 @@ func dot() -> float:
 	return a().dot(b())
 
 
+## Whether [method dot] is 0 but for rounding.
+func is_dot_zero() -> bool:
+	var terms := absf(a().x * b().x) + absf(a().y * b().y)
+	return absf(dot()) <= _ROUNDING * terms
+
+
 ## The angle between both vectors in degrees, 0..180; 0 if one of them is zero.
 func angle_degrees() -> float:
 	return absf(signed_angle_degrees())
@@ -110,6 +119,12 @@ func rejection() -> Vec2:
 	return shadowed().minus(vector_projection())
 
 
+## Whether [method rejection] is zero but for rounding: both vectors lie along the same line.
+func leaves_nothing() -> bool:
+	var parts := shadowed().length() + vector_projection().length()
+	return rejection().length() <= _ROUNDING * parts
+
+
 ## The foot of the perpendicular from [param point] on the line along [method onto].
 func foot(point: Vec2) -> Vec2:
 	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))
@@ -118,7 +133,8 @@ func foot(point: Vec2) -> Vec2:
 ## Whether [method scalar_projection] is another one than the right one: without normalizing, unless
 ## a length of 1 or a right angle hides the mistake.
 func is_wrong() -> bool:
-	return not normalizes and dot() != 0.0 and onto().length() != 1.0
+	var is_unit := absf(onto().length() - 1.0) <= _ROUNDING
+	return not normalizes and not is_dot_zero() and not is_unit
 
 
 ## Whether the shadow ends where [method onto] ends, but for rounding.
@@ -127,9 +143,10 @@ func ends_at_head() -> bool:
 	return absf(shadowed().scalar_projection(onto()) - length) < 1e-9 * length
 
 
-## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees.
+## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees. 0 also
+## where only rounding is left.
 func side() -> int:
-	return int(signf(dot()))
+	return 0 if is_dot_zero() else int(signf(dot()))
 
 
 ## Turns the shadowed vector about its tail until it makes [param degrees] with the other, as

@@ -63,8 +63,10 @@ static func verdict(model: DotProductModel) -> PackedStringArray:
 			LabText.translate("No projection"),
 			_with_letters(LabText.translate("{w} is zero: it has no direction"), model),
 		]
-	var scalar := NumberText.short(model.scalar_projection())
-	return [LabText.translate("Scalar projection %s") % scalar, _what_it_says(model)]
+	var scalar := 0.0 if model.is_dot_zero() else model.scalar_projection()
+	return [
+		LabText.translate("Scalar projection %s") % NumberText.short(scalar), _what_it_says(model)
+	]
 
 
 static func _what_it_says(model: DotProductModel) -> String:
@@ -74,7 +76,7 @@ static func _what_it_says(model: DotProductModel) -> String:
 		var sentence := _with_letters(
 			LabText.translate("wrong: |{w}| = %s times the right one"), model
 		)
-		return sentence % NumberText.short(model.onto().length())
+		return sentence % _not_one(model.onto().length())
 	var by_sign: PackedStringArray = [
 		LabText.translate("negative: the angle is above 90°"),
 		LabText.translate("zero: the angle is 90°"),
@@ -83,12 +85,20 @@ static func _what_it_says(model: DotProductModel) -> String:
 	return by_sign[model.side() + 1]
 
 
+# With as many digits as tell the length from 1.
+static func _not_one(length: float) -> String:
+	for digits in range(4, 17):
+		if NumberText.rounded(length, digits) != 1.0:
+			return NumberText.short(length, digits)
+	return NumberText.all_digits(length)
+
+
 static func _first_sentences() -> PackedStringArray:
 	return [
 		(
 			LabText
 			. translate(
-				"A vector is a difference: head minus tail. Drag them, or click: left for a, right for b."
+				"A vector is a difference: head minus tail. Drag a and b, or click: left for a, right for b."
 			)
 		)
 	]
@@ -103,7 +113,7 @@ static func _right_sentences(model: DotProductModel) -> PackedStringArray:
 			"The dot product with {e} is the scalar projection: how far {u} reaches along {w}."
 		),
 		_on_projection(model),
-		LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}."),
+		_on_rest(model),
 	]
 
 
@@ -116,6 +126,12 @@ static func _on_projection(model: DotProductModel) -> String:
 	return LabText.translate(
 		"{e} times the scalar projection is the vector projection p: the shadow of {u} on {w}."
 	)
+
+
+static func _on_rest(model: DotProductModel) -> String:
+	if model.leaves_nothing():
+		return LabText.translate("Nothing is left of {u} here: the rest {u} − p is zero.")
+	return LabText.translate("What is left of {u}, the rest {u} − p, is perpendicular to {w}.")
 
 
 static func _wrong_sentences(model: DotProductModel) -> PackedStringArray:
@@ -144,11 +160,17 @@ static func _angle_sentences(model: DotProductModel) -> PackedStringArray:
 		)
 		return [no_angle, no_angle]
 	return [
-		LabText.translate(
-			"The dot product holds the angle φ: it is |a| |b| cos φ, and cos φ for unit vectors."
+		(
+			LabText
+			. translate(
+				"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ."
+			)
 		),
-		LabText.translate(
-			"The primitive way: the angle of each by atan2, then the cosine of their difference."
+		(
+			LabText
+			. translate(
+				"The primitive way: find both angles by atan2, then take the cosine of their difference."
+			)
 		),
 	]
 

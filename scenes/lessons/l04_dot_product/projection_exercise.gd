@@ -33,20 +33,8 @@ func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
 			_ask_vector()
 
 
-## A question with vectors drawn from [param rng], neither of them zero nor along an axis, for which
-## every known mistake leads to an answer of its own.
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
-	var exercise := _drawn(kind, rng)
-	while not exercise.tells_mistakes_apart():
-		exercise = _drawn(kind, rng)
-	return exercise
-
-
-func board_state() -> Dictionary:
-	return {a = [a.x, a.y], a_from = [0, 0], b = [b.x, b.y], b_from = [0, 0]}
-
-
-static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var shadowed := Vec2.new(
@@ -55,15 +43,22 @@ static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> ProjectionExercise
 	return new(kind, shadowed, onto)
 
 
+func board_state() -> Dictionary:
+	return {a = [a.x, a.y], a_from = [0, 0], b = [b.x, b.y], b_from = [0, 0]}
+
+
 static func _random_sign(rng: RandomNumberGenerator) -> int:
 	return 1 if rng.randi_range(0, 1) == 1 else -1
 
 
 func _ask_dot() -> void:
 	_ask(tr("a = %s, b = %s. What is the dot product a · b?"), ["a · b ="], [a.dot(b)])
-	_add([a.x * b.x - a.y * b.y], tr("The products are added, not subtracted: ax bx + ay by."))
+	var subtracted := tr("The products are added, not subtracted: ax bx + ay by.")
+	_add([a.x * b.x - a.y * b.y], subtracted)
+	_add([a.y * b.y - a.x * b.x], subtracted)
 	_add([a.x * b.y + a.y * b.x], tr("x goes with x, and y with y: ax bx + ay by."))
 	_add([a.cross(b)], tr("That is the determinant ax by − ay bx, not the dot product."))
+	_add([b.cross(a)], tr("That is the determinant ay bx − ax by, not the dot product."))
 	_add(
 		[a.scalar_projection(b)], tr("That is the scalar projection: a · b is not divided by |b|.")
 	)
@@ -74,14 +69,14 @@ func _ask_scalar() -> void:
 	var right := a.scalar_projection(b)
 	_ask(tr("a = %s, b = %s. What is the scalar projection of a on b?"), ["a · b̂ ="], [right])
 	_add([a.dot(b)], _not_normalized())
+	_add([-a.dot(b)], tr("The sign is wrong, and b was not normalized."))
 	_add([right / b.length()], tr("Divided by |b| twice: a · b / |b| is enough for the scalar."))
 	_add([b.scalar_projection(a)], tr("That is b on a: a · b̂ is not b · â."))
 	_add([-right], tr("The sign is wrong: negative beyond 90 degrees, positive below."))
 	_add([a.length()], tr("That is |a|: the shadow is shorter, unless both are parallel."))
-	_add(
-		[a.cross(b) / b.length()],
-		tr("That is the distance from the line: the rest, not the shadow.")
-	)
+	var distance := tr("That is the distance from the line: the rest, not the shadow.")
+	_add([a.cross(b) / b.length()], distance)
+	_add([b.cross(a) / b.length()], distance)
 
 
 func _ask_vector() -> void:
@@ -92,6 +87,7 @@ func _ask_vector() -> void:
 	_add_vector(b.scaled(a.scalar_projection(b)), _not_normalized())
 	_add_vector(b.vector_projection(a), tr("That is b on a: p must be parallel to b."))
 	_add_vector(a.rejection(b), tr("That is the rest a − p: it is perpendicular to b."))
+	_add_vector(a.rejection(b).negated(), tr("That is p − a: it is perpendicular to b."))
 	_add_vector(right.negated(), tr("p points the other way: mind the sign of a · b."))
 
 

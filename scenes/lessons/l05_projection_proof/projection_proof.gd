@@ -117,10 +117,11 @@ func _show() -> void:
 		ProjectionProofTexts.Step.READ_OFF,
 		ProjectionProofTexts.question_on_shadow(),
 		ProjectionProofTexts.choices(),
-		func() -> int: return 0 if _model.has_direction() else -1
+		ProjectionProofTexts.right_choice.bind(_model)
 	)
 	_formula.show_model(_model)
-	_readout.visible = step == ProjectionProofTexts.Step.COMPARE
+	var is_last := step == ProjectionProofTexts.Step.COMPARE
+	_readout.visible = is_last and _model.has_direction()
 	_show_way("turned", tr("x of a′"), _model.x_of_turned_a)
 	_show_way("dot", "a · " + ProjectionProofTexts.UNIT, _model.dot_with_unit)
 	_show_turn()

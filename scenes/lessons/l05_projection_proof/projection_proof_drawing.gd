@@ -31,11 +31,12 @@ func show_model(model: ProjectionProofModel, step: int) -> void:
 	_lay_originals(model)
 	_lay_turned(model)
 	_lay_components(model)
+	var has_direction := model.has_direction()
 	_beta.visible = _beta.visible and step <= ProjectionProofTexts.Step.TRIANGLE
-	_x_of_a.visible = step == ProjectionProofTexts.Step.EXPAND
+	_x_of_a.visible = has_direction and step == ProjectionProofTexts.Step.EXPAND
 	_y_of_a.visible = _x_of_a.visible
 	_shadow_of_x.visible = _x_of_a.visible
-	_x_of_b.visible = step == ProjectionProofTexts.Step.TRIANGLE
+	_x_of_b.visible = has_direction and step == ProjectionProofTexts.Step.TRIANGLE
 	_y_of_b.visible = _x_of_b.visible
 
 

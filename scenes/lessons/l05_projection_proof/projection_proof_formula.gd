@@ -6,7 +6,7 @@ extends RefCounted
 
 ## A component smaller than this share of its vector is rounding, and shown as 0; the readout tells
 ## how large it is.
-const _ROUNDING := 1e-12
+const _ROUNDING := 1.0 / 2.0 ** 48
 
 var _formula: Formula
 

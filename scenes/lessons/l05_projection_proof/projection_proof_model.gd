@@ -14,6 +14,9 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Zero": {a = [7.0, 1.0], b = [0.0, 0.0]},
 }
 
+# A side of the proof of at most this share of a is rounding: a few units in the last place of a.
+const _ROUNDING := 1.0 / 2.0 ** 48
+
 ## The vector whose shadow is looked for.
 var a := Vec2.new(7.0, 1.0)
 ## The vector on which the shadow falls.
@@ -110,6 +113,12 @@ func x_at_share(share: float) -> float:
 ## The distance between both sides of the proof, in units in the last place.
 func units_apart() -> float:
 	return LastPlace.units_between(x_of_turned_a(), dot_with_unit())
+
+
+## Whether both sides are 0 but for rounding: the angle between a and b is 90 degrees.
+func is_rounding() -> bool:
+	var largest := maxf(absf(x_of_turned_a()), absf(dot_with_unit()))
+	return largest <= _ROUNDING * a.length()
 
 
 ## The heads before and after the whole turn, so that the board does not change during it.

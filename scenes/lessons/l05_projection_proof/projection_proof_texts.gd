@@ -23,7 +23,7 @@ static func sentences(model: ProjectionProofModel) -> PackedStringArray:
 		_first_sentence(model),
 		LabText.translate("Turn both by −β until b lies on the x axis. No length changes."),
 		LabText.translate("Now the shadow lies on the x axis: its signed length is the x of a′."),
-		LabText.translate("Turning by −β: cos(−β) = cos β and sin(−β) = −sin β give this a′.x."),
+		LabText.translate("Turning by −β gives a′.x. Use cos(−β) = cos β and sin(−β) = −sin β."),
 		LabText.translate("The triangle of b holds cos β and sin β: its sides divided by |b|."),
 		LabText.translate("Put them in: what comes out is a · b̂. No angle is left in it."),
 		LabText.translate("Both sides, computed in two ways: do they agree to the last bit?"),
@@ -46,18 +46,26 @@ static func question_on_shadow() -> String:
 static func choices() -> PackedStringArray:
 	return [
 		LabText.translate("the x of a′"),
-		LabText.translate("the y of a′"),
+		LabText.translate("the x of a"),
 		LabText.translate("the length of a′")
 	]
+
+
+## The place of the right one of [method choices]; -1 where another one is as long, or b is zero.
+static func right_choice(model: ProjectionProofModel) -> int:
+	var right := model.x_of_turned_a()
+	var nearly := 1e-9 * model.a.length()
+	for wrong: float in [model.a.x, model.a.length()]:
+		if absf(wrong - right) <= nearly:
+			return -1
+	return 0 if model.has_direction() else -1
 
 
 # While time runs at the first step, the turn is under way already.
 static func _first_sentence(model: ProjectionProofModel) -> String:
 	if model.turned_share > 0.0:
 		return LabText.translate("Both turn by −β until b lies on the x axis.")
-	return LabText.translate(
-		"Wanted: p, the shadow of a on b. How long is it, and with which sign?"
-	)
+	return LabText.translate("Wanted: p, the shadow of a on b. What is its signed length?")
 
 
 ## Both sides with all their digits, and in words how far they are apart, translated.
@@ -67,15 +75,17 @@ static func comparison(model: ProjectionProofModel) -> PackedStringArray:
 	return [
 		"a′.x = %s" % NumberText.all_digits(model.x_of_turned_a()),
 		"a · %s = %s" % [UNIT, NumberText.all_digits(model.dot_with_unit())],
-		_agreement(model.units_apart()),
+		_agreement(model),
 	]
 
 
-static func _agreement(units: float) -> String:
+static func _agreement(model: ProjectionProofModel) -> String:
+	# Below a power of 2 the doubles are twice as close: half a unit is the least there.
+	var units := ceilf(model.units_apart())
 	if units == 0.0:
 		return LabText.translate("equal to the last bit")
 	if units == 1.0:
 		return LabText.translate("1 unit in the last place apart")
-	if units > 1e6:
+	if model.is_rounding():
 		return LabText.translate("Both mean 0: only rounding is left")
 	return LabText.translate("%s units in the last place apart") % NumberText.short(units)

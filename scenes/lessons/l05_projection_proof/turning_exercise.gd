@@ -30,16 +30,8 @@ func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
 			_ask_turned_b()
 
 
-## A question with vectors drawn from [param rng], neither of them zero nor along an axis, for which
-## every known mistake leads to an answer of its own.
+## A question with vectors drawn from [param rng], neither of them zero nor along an axis.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
-	var exercise := _drawn(kind, rng)
-	while not exercise.tells_mistakes_apart():
-		exercise = _drawn(kind, rng)
-	return exercise
-
-
-static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var onto := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var shadowed := Vec2.new(
@@ -63,6 +55,7 @@ func _ask_turned_a() -> void:
 	right_answer = [a.scalar_projection(b)]
 	var size := b.length()
 	_add([a.dot(b)], _not_divided(size))
+	_add([-a.dot(b)], tr("The sign is wrong, and it is not divided by |b|."))
 	_add([(a.x * b.x - a.y * b.y) / size], tr("Turned the wrong way: by β instead of −β."))
 	_add([-a.dot(b) / size], tr("The sign is wrong: unlike signs make a product negative."))
 	_add([-b.cross(a) / size], tr("The sign is wrong, and that is a′.y."))
@@ -81,7 +74,10 @@ func _ask_cosine_and_sine() -> void:
 	answer_titles = ["cos β =", "sin β ="]
 	var unit := b.normalized()
 	right_answer = [unit.x, unit.y]
-	_add([unit.y, unit.x], tr("Swapped: the cosine belongs to x, the sine to y."))
+	var swapped := tr("Swapped: the cosine belongs to x, the sine to y.")
+	for sign_of_x: float in [1.0, -1.0]:
+		for sign_of_y: float in [1.0, -1.0]:
+			_add([sign_of_x * unit.y, sign_of_y * unit.x], swapped)
 	_add([b.x, b.y], _not_divided(b.length()))
 	_add([unit.x, -unit.y], tr("The sine has the sign of by, also where y points down."))
 	_add([-unit.x, unit.y], tr("The cosine has the sign of bx."))
@@ -95,7 +91,11 @@ func _ask_turned_b() -> void:
 	var size := b.length()
 	right_answer = [size, 0.0]
 	_add([1.0, 0.0], tr("That is the turned unit vector. Turning keeps the length of b."))
-	_add([0.0, size], tr("That is on the y axis: b turns to the x axis."))
+	for side: float in [1.0, -1.0]:
+		_add([0.0, side * size], tr("That is on the y axis: b turns to the x axis."))
+	var twice := 2.0 * b.angle_radians()
+	var wrong_way := tr("Turned the wrong way: by β instead of −β.")
+	_add([size * cos(twice), size * sin(twice)], wrong_way)
 	_add([b.x, 0.0], tr("That is the shadow of b on the x axis. Turning keeps the length."))
 	if b.x < 0.0:
 		_add([-b.x, 0.0], tr("That is a shadow on the x axis. Turning keeps the length."))

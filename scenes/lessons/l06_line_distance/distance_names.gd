@@ -19,6 +19,11 @@ const _FONT_SIZE := 24
 @onready var _shadow: Arrow = %Shadow
 
 
+# The shadow is an answer: its name is hidden with it.
+func _ready() -> void:
+	_shadow.draw.connect(queue_redraw)
+
+
 ## The normal is drawn this many times as long as it is.
 func times() -> float:
 	return 2.0 * board.grid_step
@@ -47,7 +52,8 @@ func _draw_names_along_normal(from: Vector2, line: LineSegment) -> void:
 	var normal := line.normal().to_vector2()
 	var length := times() * board.pixels_per_unit
 	var distance := _ball.at().minus(_from.at()).dot(line.normal())
-	var shadow := distance * board.pixels_per_unit if _shadow.visible else 0.0
+	var is_shadow_shown := _shadow.visible and _shadow.modulate.a > 0.0
+	var shadow := distance * board.pixels_per_unit if is_shadow_shown else 0.0
 	var beside := from - _ahead(line) * 46.0
 	var is_normal_longer := shadow < length
 	var at_normal := from + normal * (length + 18.0)
@@ -57,7 +63,7 @@ func _draw_names_along_normal(from: Vector2, line: LineSegment) -> void:
 	var at_shadow := from + normal * (shadow + 18.0 * _side(line))
 	if is_normal_longer and shadow >= 0.0:
 		at_shadow = beside + normal * maxf(shadow, 34.0)
-	if _shadow.visible:
+	if is_shadow_shown:
 		_write("d · n̂", at_shadow, Palette.Role.PROJECTION)
 
 

@@ -33,7 +33,7 @@ func start() -> void:
 	var kinds := LineDistanceExercise.Kind.size()
 	(services[&"question"] as Question).offer(LineDistanceExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_model.take)
+	on_pick(_take)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
@@ -58,6 +58,15 @@ func _move_ball(to: Vec2) -> void:
 
 func _put_ball(at: Vec2) -> void:
 	_move_ball(board.snapped_to_step(at))
+
+
+# A mistake is shown beside the right distance: at the step of that, or later.
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
+	var is_new := changes.has("mistake") and _model.mistake != 0
+	if is_new and step < LineDistanceTexts.Step.DISTANCE:
+		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DISTANCE)
+	return problem
 
 
 # What the student sees.

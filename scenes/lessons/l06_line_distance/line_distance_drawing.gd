@@ -7,6 +7,8 @@ extends Node2D
 @onready var _line: DraggableVector = %Line
 @onready var _from: Handle = %From
 @onready var _ball: BallView = %Ball
+# The same in the colour of the answer.
+@onready var _judged_ball: BallView = %JudgedBall
 @onready var _ball_handle: BallHandle = %BallHandle
 @onready var _names: DistanceNames = %Names
 @onready var _difference: Arrow = %Difference
@@ -39,13 +41,12 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 
 
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
-	_ball.role = Palette.Role.INK
-	_ball.label = ""
-	if step >= LineDistanceTexts.Step.GAP:
-		_ball.role = Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT
-		_ball.label = LineDistanceTexts.ball_word(model)
 	_ball.lay(model.ball.position, model.ball.radius)
-	_ball_handle.role = _ball.role
+	_judged_ball.visible = step >= LineDistanceTexts.Step.GAP
+	_judged_ball.role = Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT
+	# With a mistake the two distances have their labels there.
+	_judged_ball.label = LineDistanceTexts.ball_word(model) if model.mistake == 0 else ""
+	_judged_ball.lay(model.ball.position, model.ball.radius)
 	_ball_handle.place_ball(model.ball.position, model.ball.radius)
 	_difference.lay(model.from(), model.ball.position)
 	_difference.keep_label_from(model.foot())
@@ -74,7 +75,7 @@ func _lay_gap(model: LineDistanceModel, step: int) -> void:
 	# Where both overlap, the gap is drawn beside the ball.
 	var rim_pixels := model.ball.radius * _endless.board.pixels_per_unit
 	_gap.offset = 18.0 if model.gap() > 0.0 else rim_pixels + 14.0
-	_gap.label = tr("gap %s") % NumberText.short(model.gap())
+	_gap.label = tr("gap %s") % LineDistanceTexts.gap_text(model)
 	_gap.lay(model.foot(), model.rim(), away)
 	_gap.visible = step >= LineDistanceTexts.Step.GAP and model.mistake == 0
 	_radius.label = "r"
@@ -96,7 +97,7 @@ func _lay_to_segment(model: LineDistanceModel, step: int) -> void:
 
 func _lay_mistake(model: LineDistanceModel, step: int) -> void:
 	var place := model.position_with_mistake()
-	var is_compared := model.mistake != 0 and step >= LineDistanceTexts.Step.DISTANCE
+	var is_compared := LineDistanceTexts.is_compared(model, step)
 	var is_shown := is_compared and place.is_finite()
 	_wrong_ball.visible = is_shown
 	_wrong_way.visible = is_shown

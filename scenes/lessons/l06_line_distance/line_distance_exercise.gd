@@ -27,7 +27,8 @@ func _init(kind: Kind, its_line: LineSegment, its_ball: Ball) -> void:
 		_ask_gap()
 
 
-## A question with numbers drawn from [param rng]; the ball's centre is never on the line.
+## A question with numbers drawn from [param rng]; the ball's centre is never on the line. Two
+## mistakes may have the same answer: [method Exercise.drawn] draws again.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> LineDistanceExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var along := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
@@ -67,34 +68,46 @@ func _ask_gap() -> void:
 	prompt = sentence % [_pair(line.start), _pair(line.end), _pair(ball.position), radius]
 	answer_titles = [tr("gap =")]
 	_add_mistakes(LineDistance.gap(ball, line), ball.radius)
-	_add(LineDistance.signed_distance(ball.position, line), tr("The radius is not subtracted yet."))
+	var distance := LineDistance.signed_distance(ball.position, line)
+	_add(distance, tr("The radius is not subtracted yet."))
 	_add(
-		LineDistance.signed_distance(ball.position, line) + ball.radius,
+		distance + ball.radius,
 		tr("The radius is subtracted, not added: the rim is nearer than the centre.")
 	)
+	if right_answer[0] < 0.0:
+		_add(-right_answer[0], tr("A gap below 0 keeps its sign: the ball is too close or behind."))
 
 
 func _add_mistakes(right: float, less: float) -> void:
 	right_answer = [right]
-	var numbers := [LineDistanceMistakes.NOT_UNIT, LineDistanceMistakes.WRONG_SIGN]
-	for number: int in numbers + [LineDistanceMistakes.STRAIGHT_UP]:
-		var wrong := LineDistanceMistakes.distance(number, ball.position, line) - less
-		_add(wrong, _sentences()[number])
+	var distance := right + less
 	var to_ball := LineDistance.difference(ball.position, line)
-	_add(
-		to_ball.scalar_projection(line.along()) - less, tr("That is along the line, not along n̂.")
-	)
-	_add(to_ball.length() - less, tr("That is |d|: the way to the start, not to the line."))
-	_add(absf(right), tr("Mind the sign: n̂ = (−y, x) points to the good side."))
-
-
-func _sentences() -> Dictionary[int, String]:
 	var too_big := tr("The normal is not unit: that is %s times the distance.")
-	return {
-		LineDistanceMistakes.NOT_UNIT: too_big % NumberText.short(line.length()),
-		LineDistanceMistakes.WRONG_SIGN: tr("The sign is wrong: n̂ is (−y, x), not (y, −x)."),
-		LineDistanceMistakes.STRAIGHT_UP: tr("That is straight up, not along the perpendicular."),
-	}
+	var not_unit := _wrong(LineDistanceMistakes.NOT_UNIT)
+	_add(-distance - less, tr("The sign is wrong: n̂ is (−y, x), not (y, −x)."))
+	_add(not_unit - less, too_big % NumberText.short(line.length()))
+	_add(-not_unit - less, tr("The normal is not unit, and the sign is wrong."))
+	_add_with_both_signs(
+		_wrong(LineDistanceMistakes.STRAIGHT_UP),
+		less,
+		tr("That is straight up, not along the perpendicular.")
+	)
+	_add_with_both_signs(
+		to_ball.scalar_projection(line.along()), less, tr("That is along the line, not along n̂.")
+	)
+	_add_with_both_signs(
+		to_ball.length(), less, tr("That is |d|: the way to the start, not to the line.")
+	)
+
+
+func _wrong(mistake: int) -> float:
+	return LineDistanceMistakes.distance(mistake, ball.position, line)
+
+
+# A way that is not the perpendicular has no sign of its own: students give it either one.
+func _add_with_both_signs(distance: float, less: float, sentence: String) -> void:
+	_add(distance - less, sentence)
+	_add(-distance - less, sentence)
 
 
 func _add(answer: float, sentence: String) -> void:

@@ -2,13 +2,11 @@ class_name LineDistanceFormula
 extends RefCounted
 ## The formula of the lesson on the distance from a line: its lines, and what each name in them is.
 
-# With a mistake, its line replaces those after this step.
-const _LAST_STEP_WITH_MISTAKE := 2
 # What each mistake computes.
 const _WRONG_LINES: Dictionary[int, String] = {
 	LineDistanceMistakes.NOT_UNIT:
 	"{wrong}: {d} · (−y, x) = {dx}·{minus_ly} + {dy}·{lx} = {wrong_distance}",
-	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = −{distance} = {wrong_distance}",
+	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
 	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: y of the line − y of c = {wrong_distance}",
 }
 
@@ -28,15 +26,18 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	var scale := 4.0 * (model.ball.position.length() + model.from().length())
 	_put_vectors(model.line.along(), model.difference(), model.line.normal(), scale)
 	_put_distances(model, scale)
+	_put_segment(model, scale)
 	_formula.show_lines(_lines(model, step))
 
 
 func _lines(model: LineDistanceModel, step: int) -> PackedStringArray:
 	var found: PackedStringArray = []
-	var last := step if model.mistake == 0 else mini(step, _LAST_STEP_WITH_MISTAKE)
+	var is_compared := LineDistanceTexts.is_compared(model, step)
+	# With a mistake, its line replaces those after the step of the distance.
+	var last := LineDistanceTexts.Step.DISTANCE if is_compared else step
 	for added: PackedStringArray in _lines_by_step().slice(0, last + 1):
 		found.append_array(added)
-	if model.mistake != 0:
+	if is_compared:
 		var has_answer := is_finite(model.distance_with_mistake())
 		var none := "{wrong}: " + tr("a vertical line has no y at the ball's x")
 		found.append(_WRONG_LINES[model.mistake] if has_answer else none)
@@ -51,7 +52,7 @@ func _lines_by_step() -> Array[PackedStringArray]:
 			tr("{c} = ( {cx} , {cy} )   r = {r}   {p} at {share}"),
 			"{d} = {c} − {p} = {d_pair}"
 		],
-		["{n} = ( −({ly}), {lx} ) / {length} = {n_pair}"],
+		["{n} = (−{ly}, {lx}) / {length} = {n_pair}"],
 		["{d} · {n} = {dx}·{nx} + {dy}·{ny} = {distance}"],
 		["gap = {d} · {n} − r = {distance} − {radius} = {gap}"],
 		[tr("to the segment: |{c} − {nearest}| = {segment}")],
@@ -85,7 +86,7 @@ func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2, scale: float) -> 
 	_formula.put_number("ly", along.y, Palette.Role.INK)
 	_formula.put_number("minus_ly", -along.y, Palette.Role.INK)
 	_formula.put_number("length", along.length(), Palette.Role.INK)
-	_formula.put_vector_sum("d_pair", difference, scale, Palette.Role.A)
+	_formula.put_vector_sum("d_pair", difference, Vec2.new(scale, scale), Palette.Role.A)
 	_formula.put_sum("dx", difference.x, scale, Palette.Role.A)
 	_formula.put_sum("dy", difference.y, scale, Palette.Role.A)
 	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
@@ -94,9 +95,19 @@ func _put_vectors(along: Vec2, difference: Vec2, normal: Vec2, scale: float) -> 
 
 
 func _put_distances(model: LineDistanceModel, scale: float) -> void:
-	_formula.put_sum("distance", model.distance(), scale, Palette.Role.PROJECTION)
+	var distance := 0.0 if model.is_p_at_ball() else model.distance()
+	_formula.put_sum("distance", distance, scale, Palette.Role.PROJECTION)
 	_formula.put_number("radius", model.ball.radius, Palette.Role.INK)
 	_formula.put_sum("gap", model.gap(), scale, Palette.Role.INK)
+	# A normal that is not unit makes what rounding leaves larger, too.
+	var is_not_unit := model.mistake == LineDistanceMistakes.NOT_UNIT
+	var wrong_scale := scale * model.line.length() if is_not_unit else scale
+	var wrong := model.distance_with_mistake()
+	_formula.put_sum("wrong_distance", wrong, wrong_scale, Palette.Role.WRONG)
+
+
+# Where the ball's centre is on the segment, the nearest point reads as c, and |c − c| is 0.
+func _put_segment(model: LineDistanceModel, scale: float) -> void:
+	var distance := 0.0 if model.is_on_segment() else model.segment_distance()
 	_formula.put_vector("nearest", model.nearest(), Palette.Role.REST)
-	_formula.put_sum("segment", model.segment_distance(), scale, Palette.Role.REST)
-	_formula.put_sum("wrong_distance", model.distance_with_mistake(), scale, Palette.Role.WRONG)
+	_formula.put_sum("segment", distance, scale, Palette.Role.REST)

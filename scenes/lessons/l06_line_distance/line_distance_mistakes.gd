@@ -37,7 +37,7 @@ static func infos() -> Array[MistakeInfo]:
 			STRAIGHT_UP,
 			LabText.translate("distance measured straight up"),
 			LabText.translate(
-				"Straight up is longer than the perpendicular: the hit is seen too late."
+				"From a tilted line, straight up is longer: the hit is seen too late."
 			),
 			"test_line_distance.test_straight_up_is_longer",
 			LabText.translate("The test compares both distances from a tilted line.")

@@ -3,6 +3,8 @@ extends LessonModel
 ## A ball and a line without ends: how far one is from the other, measured from any point of the
 ## line.
 
+# What a distance may be off by, as a share of the places that it is computed from.
+const _ROUNDING := 4e-15
 const _LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
 ## Presets by their titles (source text): what each changes in the model's state.
 const PRESETS: Dictionary[String, Dictionary] = {
@@ -30,7 +32,11 @@ func from() -> Vec2:
 
 ## The difference vector d: the ball's centre less [method from].
 func difference() -> Vec2:
-	return ball.position.minus(from())
+	# By way of the nearer end, not of the rounded point: next to an end that would be all that is
+	# left.
+	if from_share > 0.5:
+		return ball.position.minus(line.end).minus(line.along().scaled(from_share - 1.0))
+	return ball.position.minus(line.start).minus(line.along().scaled(from_share))
 
 
 ## The distance of the centre as measured from [method from]: d . n, in pixels; negative behind the
@@ -51,12 +57,32 @@ func gap() -> float:
 
 ## Whether the ball is closer than its radius, or behind the line.
 func is_overlapping() -> bool:
-	return LineDistance.is_overlapping(ball, line)
+	return gap() < -_rounding()
+
+
+## Whether the ball's rim is on the line, but for what rounding leaves of the gap.
+func is_touching() -> bool:
+	return absf(gap()) <= _rounding()
 
 
 ## Whether the ball's centre is behind the line, where the normal does not point.
 func is_behind() -> bool:
-	return distance_from_start() < 0.0
+	return distance_from_start() < -_rounding()
+
+
+## Whether the ball's centre is on the line, but for what rounding leaves of its distance.
+func is_on_line() -> bool:
+	return absf(distance_from_start()) <= _rounding()
+
+
+## Whether the ball's centre is on the drawn line, but for what rounding leaves of its distance.
+func is_on_segment() -> bool:
+	return segment_distance() <= _rounding()
+
+
+## Whether p is where the ball's centre is, so that only rounding is left of d.
+func is_p_at_ball() -> bool:
+	return difference().length() <= _rounding()
 
 
 ## Where the perpendicular from the ball's centre meets the line.
@@ -188,3 +214,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	ball = Ball.new(Vec2.new(centre_and_radius[0], centre_and_radius[1]), centre_and_radius[2])
 	from_share = stored["from_share"]
 	mistake = stored["mistake"]
+
+
+func _rounding() -> float:
+	return _ROUNDING * (line.start.length() + ball.position.length() + ball.radius)

@@ -10,29 +10,37 @@ enum Step { DIFFERENCE, NORMAL, DISTANCE, GAP, SEGMENT }
 static func sentences(model: LineDistanceModel) -> PackedStringArray:
 	var found: PackedStringArray = [
 		LabText.translate(
-			"d leads from p, a point of the line, to the ball's centre c. Slide p: d changes."
+			"d leads from p, a point on the line, to the ball's centre c. Slide p: d changes."
 		),
 		LabText.translate(
 			"The unit normal n̂ is perpendicular to the line and points to its good side."
 		),
-		LabText.translate(
-			"d · n̂ is the distance of c: the shadow of d on n̂. Slide p: d changes, d · n̂ stays."
+		(
+			LabText
+			. translate(
+				"d · n̂, the shadow of d on n̂, is the distance of c. Slide p: d changes, d · n̂ does not."
+			)
 		),
 		LabText.translate("Subtract the radius, and you have the gap between ball and line."),
 		_on_segment(model),
 	]
-	if model.mistake != 0:
-		for step: int in [Step.GAP, Step.SEGMENT]:
+	for step in found.size():
+		if is_compared(model, step):
 			found[step] = LabText.translate(
 				"Compare the distance of the mistake with the right one."
 			)
 	return found
 
 
+## Whether a mistake that is switched on is shown at [param step]: not before the right distance is.
+static func is_compared(model: LineDistanceModel, step: int) -> bool:
+	return model.mistake != 0 and step >= Step.DISTANCE
+
+
 ## What is asked before the distance is shown, translated.
 static func question_on_foot() -> String:
 	return LabText.translate(
-		"Which point of the line is nearest to c? Drag the “?” there, then step forward."
+		"Which point on the line is nearest to c? Drag the “?” there, then step forward."
 	)
 
 
@@ -46,8 +54,10 @@ static func choices() -> PackedStringArray:
 	return [LabText.translate("free"), LabText.translate("too close"), LabText.translate("behind")]
 
 
-## The right one of [method choices], counted from 0.
+## The right one of [method choices], counted from 0; -1 for a ball that just touches: none is.
 static func right_choice(model: LineDistanceModel) -> int:
+	if model.is_touching():
+		return -1
 	if model.is_behind():
 		return 2
 	return 1 if model.is_overlapping() else 0
@@ -55,7 +65,13 @@ static func right_choice(model: LineDistanceModel) -> int:
 
 ## The word above the ball, translated.
 static func ball_word(model: LineDistanceModel) -> String:
-	return choices()[right_choice(model)]
+	var choice := right_choice(model)
+	return LabText.translate("touching") if choice < 0 else choices()[choice]
+
+
+## The number of the gap; what rounding alone leaves of it is 0.
+static func gap_text(model: LineDistanceModel) -> String:
+	return "0" if model.is_touching() else NumberText.short(model.gap())
 
 
 ## What was found at [param step], in two or three lines, translated.
@@ -67,10 +83,10 @@ static func verdict(model: LineDistanceModel, step: int) -> PackedStringArray:
 
 
 static func _gap_words(model: LineDistanceModel) -> String:
-	var gap := NumberText.short(model.gap())
+	var gap := gap_text(model)
 	if model.is_behind():
 		return LabText.translate("Behind the line: gap %s px") % gap
-	if model.gap() == 0.0:
+	if model.is_touching():
 		return LabText.translate("It just touches the line: gap 0 px")
 	if model.is_overlapping():
 		return LabText.translate("Too close: gap %s px") % gap
@@ -85,7 +101,7 @@ static func _side_words(model: LineDistanceModel, step: int) -> String:
 		return LabText.translate("but the gap to the segment is %s px") % gap
 	if model.is_behind():
 		return LabText.translate("d · n̂ is negative on this side")
-	if model.distance_from_start() == 0.0:
+	if model.is_on_line():
 		return LabText.translate("its centre is on the line")
 	return LabText.translate("on the good side, where n̂ points")
 
@@ -101,7 +117,7 @@ static func _mistake_words(model: LineDistanceModel) -> String:
 static func _on_segment(model: LineDistanceModel) -> String:
 	if model.is_beside_end():
 		return LabText.translate(
-			"Beside an end the segment is farther away than the line without ends."
+			"Past an end, the segment is farther away than the line without ends."
 		)
 	if model.is_behind():
 		return LabText.translate(

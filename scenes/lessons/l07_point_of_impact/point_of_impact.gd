@@ -65,7 +65,14 @@ func _take(changes: Dictionary) -> String:
 	var problem := _model.take(changes)
 	if changes.has("mistake"):
 		_model.show_mistake(_model.mistake)
+		_go_to_fraction()
 	return problem
+
+
+# A mistake is shown beside the right t: at the step of that, or later.
+func _go_to_fraction() -> void:
+	if _model.mistake != 0 and step < PointOfImpactTexts.Step.FRACTION:
+		(services[&"steps"] as Steps).go_to(PointOfImpactTexts.Step.FRACTION)
 
 
 # What the student sees.
@@ -93,7 +100,7 @@ func _show() -> void:
 # Null where the ball does not come to the line within the frame.
 func _truth() -> Vec2:
 	var is_on_the_way := _model.frame_case() == PointOfImpactModel.Case.IN_FRAME
-	return _model.impact().position if is_on_the_way else null
+	return _model.impact_position() if is_on_the_way else null
 
 
 func _first_guess() -> Vec2:

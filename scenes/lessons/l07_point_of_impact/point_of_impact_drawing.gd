@@ -6,10 +6,10 @@ extends Node2D
 
 # Where along the line its normal is drawn.
 const _SHARE_OF_NORMAL := 0.12
-# What the old position is called (source text).
-const _OLD := "old"
-# A ball that overlaps from the start touches where it is (source text).
-const _OLD_IS_IMPACT := "old = POI"
+
+# What the point of impact is called (source text), and where it is the old position.
+const _POI := "POI"
+const _OLD_IS_POI := "old = POI"
 
 @onready var _endless: InfiniteLine = %Endless
 @onready var _line: DraggableVector = %Line
@@ -43,12 +43,12 @@ const _OLD_IS_IMPACT := "old = POI"
 ## Draws [param model] as far as [param step], counted from 0, has got.
 func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_line(model, step)
-	_lay_frame(model, step)
+	_lay_frame(model)
 	_lay_ghost(model)
 	_lay_reset(model, step)
 	_lay_ways(model, step)
 	_lay_impact(model, step)
-	_lay_mistake(model)
+	_lay_mistake(model, step)
 	_show_verdict(model, step)
 
 
@@ -66,16 +66,13 @@ func _lay_line(model: PointOfImpactModel, step: int) -> void:
 	_normal.visible = step >= PointOfImpactTexts.Step.RESET
 
 
-func _lay_frame(model: PointOfImpactModel, step: int) -> void:
+func _lay_frame(model: PointOfImpactModel) -> void:
 	_motion.lay(model.old_position, model.new_position)
 	_old.lay(model.old_position, model.radius)
 	_new.lay(model.new_position, model.radius)
 	_old_handle.place_ball(model.old_position, model.radius)
 	_new_handle.place_ball(model.new_position, model.radius)
 	var ahead := _side_of_new_name(model)
-	var touches_at_once := model.frame_case() == PointOfImpactModel.Case.OVERLAPS_FROM_START
-	touches_at_once = touches_at_once and step >= PointOfImpactTexts.Step.IMPACT
-	_old_name.label = _OLD_IS_IMPACT if touches_at_once else _OLD
 	_old_name.lay(model.old_position, model.radius, ahead.negated())
 	_new_name.lay(model.new_position, model.radius, ahead)
 	_name_motion(model)
@@ -92,7 +89,7 @@ func _side_of_new_name(model: PointOfImpactModel) -> Vec2:
 # Beside the half of the path in which the point of impact is not.
 func _name_motion(model: PointOfImpactModel) -> void:
 	var share := 0.5
-	if model.impact().hit:
+	if model.touches():
 		share = 0.25 if model.fraction() > 0.5 else 0.75
 	var beside := model.motion().normal()
 	if beside.dot(_sideways(model)) > 0.0:
@@ -107,7 +104,7 @@ func _lay_ghost(model: PointOfImpactModel) -> void:
 	_ghost.lay(place, model.radius)
 	_ghost_handle.place(place)
 	_ghost_name.label = "t = " + NumberText.short(model.moment, 2)
-	_ghost_name.lay(place, model.radius, _sideways(model).negated())
+	_ghost_name.lay(place, model.radius, _sideways(model))
 	for part: CanvasItem in [_ghost, _ghost_handle, _ghost_name]:
 		part.visible = model.motion().length() > 0.0
 
@@ -117,7 +114,9 @@ func _lay_reset(model: PointOfImpactModel, step: int) -> void:
 	_reset.lay(place, model.radius)
 	_reset_way.lay(model.new_position, place)
 	_reset.visible = (
-		step >= PointOfImpactTexts.Step.RESET and model.is_reset() and model.mistake == 0
+		step >= PointOfImpactTexts.Step.RESET
+		and model.is_reset()
+		and not PointOfImpactTexts.is_compared(model, step)
 	)
 	_reset_way.visible = _reset.visible
 	_reset_name.lay(place, model.radius, _sideways(model))
@@ -143,25 +142,29 @@ func _lay_ways(model: PointOfImpactModel, step: int) -> void:
 
 
 func _lay_impact(model: PointOfImpactModel, step: int) -> void:
-	var impact := model.impact()
-	_impact.visible = step >= PointOfImpactTexts.Step.IMPACT and impact.hit
+	_impact.visible = step >= PointOfImpactTexts.Step.IMPACT and model.touches()
 	var is_on_the_way := model.frame_case() == PointOfImpactModel.Case.IN_FRAME
 	_off.visible = _impact.visible and _reset.visible and is_on_the_way
-	_impact_name.visible = _impact.visible and is_on_the_way
+	_off.visible = _off.visible and not model.is_reset_at_impact()
+	_impact_name.visible = _impact.visible
+	_old_name.visible = not _impact.visible or is_on_the_way
 	if not _impact.visible:
 		return
-	var place := impact.position
+	var place := model.impact_position()
 	_impact.lay(place, model.radius)
-	_impact_name.lay(place, model.radius, _sideways(model).negated())
+	# A ball that is too close from the start touches where it is.
+	_impact_name.label = _POI if is_on_the_way else _OLD_IS_POI
+	var towards := _sideways(model) if is_on_the_way else model.motion()
+	_impact_name.lay(place, model.radius, towards.negated())
 	var off := place.distance_to(model.reset_position())
 	_off.label = tr("%s px off") % NumberText.short(off, 3)
 	_off.offset = model.radius * _endless.board.pixels_per_unit + 10.0
 	_off.lay(place, model.reset_position(), model.line.normal())
 
 
-func _lay_mistake(model: PointOfImpactModel) -> void:
+func _lay_mistake(model: PointOfImpactModel, step: int) -> void:
 	var place := model.position_with_mistake()
-	_wrong.visible = model.mistake != 0 and place.is_finite()
+	_wrong.visible = PointOfImpactTexts.is_compared(model, step) and place.is_finite()
 	_wrong_name.visible = _wrong.visible
 	if _wrong.visible:
 		_wrong.lay(place, model.radius)
@@ -170,8 +173,8 @@ func _lay_mistake(model: PointOfImpactModel) -> void:
 
 # The card gives way to both positions of the ball.
 func _show_verdict(model: PointOfImpactModel, step: int) -> void:
-	_verdict.visible = step >= PointOfImpactTexts.Step.FRACTION or model.mistake != 0
-	var hits := model.impact().hit
+	_verdict.visible = step >= PointOfImpactTexts.Step.FRACTION
+	var hits := model.touches()
 	_verdict.show_verdict(
 		"!" if hits else "×",
 		Palette.Role.PROJECTION if hits else Palette.Role.QUIET,

@@ -10,8 +10,8 @@ enum Kind { FRACTION, POINT }
 
 ## Ways along the normal of a whole frame, in pixels.
 const _WAYS: Array[int] = [40, 50, 80, 100]
-## Tenths of the frame until the contact.
-const _TENTHS: Array[int] = [2, 3, 4, 5, 6]
+## Tenths of the frame until the contact: in the middle, what is left of the frame would be as long.
+const _TENTHS: Array[int] = [2, 3, 4, 6, 7]
 
 ## The line, through the origin; its normal is (0.6, -0.8).
 var line := LineSegment.new(Vec2.new(60.0, 45.0), Vec2.new(-60.0, -45.0))
@@ -42,16 +42,9 @@ func _init(
 		_ask_point()
 
 
-## A question with numbers drawn from [param rng]; the ball touches within the frame, its centre
-## ends behind the line, and every known mistake leads to an answer of its own.
+## A question with numbers drawn from [param rng]; the ball touches within the frame, and its centre
+## ends behind the line. Two mistakes may have the same answer: [method Exercise.drawn] draws again.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExercise:
-	var exercise := _drawn(kind, rng)
-	while not exercise.tells_mistakes_apart():
-		exercise = _drawn(kind, rng)
-	return exercise
-
-
-static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> PointOfImpactExercise:
 	var its_radius := 5.0 * rng.randi_range(1, 2)
 	var way := _WAYS[rng.randi_range(0, _WAYS.size() - 1)]
 	var tenths := _TENTHS[rng.randi_range(0, _TENTHS.size() - 1)]
@@ -76,9 +69,12 @@ func _ask_fraction() -> void:
 	answer_titles = ["t ="]
 	right_answer = [PointOfImpact.fraction(_old_distance, _new_distance, radius)]
 	for number in _sentences():
-		_add([_fraction_with(number)], _sentences()[number])
+		for fraction in _fractions_with(number):
+			_add([fraction], _sentences()[number])
 	var way := _old_distance - _new_distance
+	_add([-right_answer[0]], tr("The sign is wrong: b is old − new, not new − old."))
 	_add([_old_distance / way], tr("The radius is missing: a = old − r."))
+	_add([(_old_distance + radius) / way], tr("The radius is subtracted: a = old − r."))
 	_add([way / (_old_distance - radius)], tr("That is b / a: above 1, so not in this frame."))
 	_add([(_old_distance - radius) * way], tr("a is divided by b, not multiplied."))
 	_add([_old_distance - radius], tr("That is a, the way to the contact: divide it by b."))
@@ -103,8 +99,12 @@ func _ask_point() -> void:
 	var fraction := PointOfImpact.fraction(_old_distance, _new_distance, radius)
 	right_answer = _components(old_position.plus(motion.scaled(fraction)))
 	for number in _sentences():
-		var place := old_position.plus(motion.scaled(_fraction_with(number)))
-		_add(_components(place), _sentences()[number])
+		for wrong in _fractions_with(number):
+			_add(_components(old_position.plus(motion.scaled(wrong))), _sentences()[number])
+	_add(
+		_components(old_position.minus(motion.scaled(fraction))),
+		tr("t v is added to old, not subtracted.")
+	)
 	_add(
 		_components(new_position.plus(motion.scaled(fraction))),
 		tr("t v is added to old, not to new.")
@@ -116,8 +116,10 @@ func _ask_point() -> void:
 	_add(_components(reset.position), tr("That is the position reset: it is not on the path."))
 
 
-func _fraction_with(number: int) -> float:
-	return PointOfImpactMistakes.fraction(number, _old_distance, _new_distance, radius)
+# Those below 0 without their sign, too: a student who expects a share of the frame leaves it out.
+func _fractions_with(number: int) -> PackedFloat64Array:
+	var wrong := PointOfImpactMistakes.fraction(number, _old_distance, _new_distance, radius)
+	return [wrong, absf(wrong)]
 
 
 func _sentences() -> Dictionary[int, String]:

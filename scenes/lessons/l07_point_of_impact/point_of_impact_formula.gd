@@ -37,7 +37,7 @@ func _lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 		"old ( {old_x} , {old_y} )     new ( {new_x} , {new_y} )",
 		tr("line: ( {sx} , {sy} ) to ( {ex} , {ey} )   r = {r}"),
 	]
-	if model.mistake != 0:
+	if PointOfImpactTexts.is_compared(model, step):
 		# The wrong t beside the right one replaces motion, reset and POI.
 		return found + PackedStringArray([_WAYS, _line_of_t(model), _line_of_wrong_t(model)])
 	found.append("v = new − old = {v_pair}     |v| = {speed}")
@@ -115,6 +115,5 @@ func _put_distances(model: PointOfImpactModel) -> void:
 func _put_places(model: PointOfImpactModel) -> void:
 	_formula.put_vector("v_pair", model.motion(), Palette.Role.INK)
 	_formula.put_vector("reset_pair", model.reset_position(), Palette.Role.REST)
-	var impact := model.impact()
-	if impact.hit:
-		_formula.put_vector("poi_pair", impact.position, Palette.Role.PROJECTION)
+	if model.touches():
+		_formula.put_vector("poi_pair", model.impact_position(), Palette.Role.PROJECTION)

@@ -6,6 +6,8 @@ extends LessonModel
 ## What the two distances say of the frame.
 enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALLEL }
 
+# What a distance may be off by, as a share of the places that it is computed from.
+const _ROUNDING := 4e-15
 const _LINE: PackedFloat64Array = [60.0, 45.0, -60.0, -45.0]
 const _LONG_LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
 ## Presets by their titles (source text): what each changes in the model's state. The speeds are
@@ -55,14 +57,22 @@ func slide_to(point: Vec2) -> void:
 		moment = clampf(LineSegment.new(old_position, new_position).share_of(point), 0.0, 1.0)
 
 
-## Signed distance of the old position from the line, in pixels.
+## Signed distance of the old position from the line, in pixels. Exactly 0 or the radius where only
+## rounding makes a difference.
 func old_distance() -> float:
-	return LineDistance.signed_distance(old_position, line)
+	var distance := LineDistance.signed_distance(old_position, line)
+	for exact: float in [0.0, radius]:
+		distance = exact if _is_rounding(distance - exact) else distance
+	return distance
 
 
-## Signed distance of the new position from the line, in pixels.
+## Signed distance of the new position from the line, in pixels. Exactly that of the old one, 0 or
+## the radius where only rounding makes a difference.
 func new_distance() -> float:
-	return LineDistance.signed_distance(new_position, line)
+	var distance := LineDistance.signed_distance(new_position, line)
+	for exact: float in [0.0, radius, old_distance()]:
+		distance = exact if _is_rounding(distance - exact) else distance
+	return distance
 
 
 ## a = old - r: the way along the normal up to the contact.
@@ -80,26 +90,46 @@ func fraction() -> float:
 	return PointOfImpact.fraction(old_distance(), new_distance(), radius)
 
 
-## The impact in this frame, or why there is none.
+## The impact in this frame, or why there is none, as the lecture's code finds it.
 func impact() -> Impact:
 	return PointOfImpact.with_line(old_position, motion(), radius, line)
 
 
 ## Which of the cases this frame is.
 func frame_case() -> Case:
-	match impact().outcome:
-		Impact.Outcome.PARALLEL:
-			return Case.PARALLEL
-		Impact.Outcome.MOVING_AWAY:
-			return Case.LEAVING if way_to_contact() < 0.0 else Case.MOVING_AWAY
-		Impact.Outcome.TOO_FAR:
-			return Case.TOO_FAR
-	return Case.OVERLAPS_FROM_START if way_to_contact() < 0.0 else Case.IN_FRAME
+	var a := way_to_contact()
+	var b := way_of_frame()
+	if b == 0.0:
+		return Case.PARALLEL
+	if b < 0.0:
+		return Case.LEAVING if a < 0.0 else Case.MOVING_AWAY
+	if a < 0.0:
+		return Case.OVERLAPS_FROM_START
+	return Case.IN_FRAME if a <= b else Case.TOO_FAR
+
+
+## Whether the ball touches the line's good side in this frame.
+func touches() -> bool:
+	return frame_case() in [Case.IN_FRAME, Case.OVERLAPS_FROM_START]
+
+
+## The ball's centre when it [method touches].
+func impact_position() -> Vec2:
+	var found := impact()
+	if found.hit:
+		return found.position
+	# Rounding alone keeps the lecture's code from a contact at one end of the frame.
+	return old_position.plus(motion().scaled(clampf(fraction(), 0.0, 1.0)))
 
 
 ## Whether the ball overlaps the line after the frame, so that a position reset moves it.
 func is_reset() -> bool:
 	return new_distance() < radius
+
+
+## Whether the position reset puts the ball where it touches, but for rounding.
+func is_reset_at_impact() -> bool:
+	return _is_rounding(0.01 * error_of(reset_position()))
 
 
 ## Where the position reset puts the ball's centre.
@@ -117,7 +147,12 @@ func error_of(position: Vec2) -> float:
 
 ## t as the mistake that is switched on has it; the right one where none is.
 func fraction_with_mistake() -> float:
-	return PointOfImpactMistakes.fraction(mistake, old_distance(), new_distance(), radius)
+	var old := old_distance()
+	var new := new_distance()
+	# As far before the line as behind it: without their signs they are the same.
+	if mistake == PointOfImpactMistakes.UNSIGNED and _is_rounding(old + new):
+		return INF
+	return PointOfImpactMistakes.fraction(mistake, old, new, radius)
 
 
 ## Where the mistake that is switched on puts the ball; not finite where it divides by 0.
@@ -256,3 +291,8 @@ func from_dictionary(stored: Dictionary) -> void:
 	radius = stored["radius"]
 	moment = stored["moment"]
 	mistake = stored["mistake"]
+
+
+func _is_rounding(distance: float) -> bool:
+	var places := line.start.length() + old_position.length() + new_position.length()
+	return absf(distance) <= _ROUNDING * (places + radius)

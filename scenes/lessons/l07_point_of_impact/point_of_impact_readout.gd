@@ -22,8 +22,7 @@ func measure(model: PointOfImpactModel) -> void:
 ## when the last step has both.
 func show_model(model: PointOfImpactModel, step: int) -> void:
 	_readout.visible = step >= PointOfImpactTexts.Step.IMPACT
-	var impact := model.impact()
-	_show_call("impact", tr("POI"), impact.position if impact.hit else null, model)
+	_show_call("impact", tr("POI"), model.impact_position() if model.touches() else null, model)
 	_show_call("reset", tr("reset"), model.reset_position() if model.is_reset() else null, model)
 
 

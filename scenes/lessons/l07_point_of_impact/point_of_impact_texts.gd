@@ -9,28 +9,26 @@ enum Step { MOTION, RESET, WAYS, FRACTION, IMPACT }
 ## One sentence a step, translated.
 static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 	var found: PackedStringArray = [
-		(
-			LabText
-			. translate(
-				"One frame moves the ball by v, from old to new. Drag the ghost: it shows what lies between."
-			)
-		),
+		_on_motion(model),
 		_on_reset(model),
 		(
 			LabText
 			. translate(
-				"Along n̂: a = old − r is the way to the contact, b = old − new the way of the whole frame."
+				"Now old and new are distances from the line: a = old − r to the contact, b = old − new in all."
 			)
 		),
-		LabText.translate(
-			"t = a / b is the share of the frame until the contact. It counts only within 0..1."
-		),
+		_on_fraction(model),
 		_on_impact(model),
 	]
-	if model.mistake != 0:
-		for step in range(Step.RESET, Step.size()):
+	for step in found.size():
+		if is_compared(model, step):
 			found[step] = LabText.translate("Compare the t of the mistake with the right one.")
 	return found
+
+
+## Whether a mistake that is switched on is shown at [param step]: not before the right t is.
+static func is_compared(model: PointOfImpactModel, step: int) -> bool:
+	return model.mistake != 0 and step >= Step.FRACTION
 
 
 ## What is asked before t is shown, translated.
@@ -118,28 +116,63 @@ static func _mistake_words(model: PointOfImpactModel) -> String:
 	return LabText.translate("the mistake says t = %s") % NumberText.short(wrong)
 
 
+static func _on_motion(model: PointOfImpactModel) -> String:
+	if model.motion().length() == 0.0:
+		return LabText.translate("Old and new are the same point: the ball does not move.")
+	return (
+		LabText
+		. translate(
+			"One frame moves the ball by v, from old to new. Drag the ghost: it shows what lies between."
+		)
+	)
+
+
 static func _on_reset(model: PointOfImpactModel) -> String:
 	if model.is_reset():
-		return LabText.translate(
-			"Position reset: back along n̂ until the ball just touches. But was it ever there?"
+		return (
+			LabText
+			. translate(
+				"Position reset: back along n̂ to the good side, until the ball touches. Was it ever there?"
+			)
 		)
 	return LabText.translate("Position reset: new does not overlap the line, so nothing is moved.")
 
 
+static func _on_fraction(model: PointOfImpactModel) -> String:
+	match model.frame_case():
+		PointOfImpactModel.Case.IN_FRAME:
+			return LabText.translate(
+				"t = a / b is the share of the frame until the contact. It counts only within 0..1."
+			)
+		PointOfImpactModel.Case.OVERLAPS_FROM_START:
+			return LabText.translate("t is below 0: the contact lies before this frame.")
+		PointOfImpactModel.Case.TOO_FAR:
+			return LabText.translate("t is above 1: the contact lies after this frame.")
+		PointOfImpactModel.Case.PARALLEL:
+			return LabText.translate("b is 0: there is nothing to divide by, so there is no t.")
+	return LabText.translate("b is below 0: the ball moves away, and t does not count.")
+
+
 static func _on_impact(model: PointOfImpactModel) -> String:
 	match model.frame_case():
-		PointOfImpactModel.Case.IN_FRAME when model.is_reset():
-			var off := NumberText.short(model.error_of(model.reset_position()), 3)
-			var sentence := LabText.translate(
-				"POI = old + t v is on the path. The reset is %s px beside it."
-			)
-			return sentence % off
 		PointOfImpactModel.Case.IN_FRAME:
-			return LabText.translate("POI = old + t v is on the path.")
+			return _on_way(model)
 		PointOfImpactModel.Case.OVERLAPS_FROM_START:
 			return LabText.translate("The contact is at the start of the frame: t counts as 0.")
-	if model.is_reset():
+	if not model.is_reset():
+		return LabText.translate("No impact in this frame: the ball may go to new.")
+	if model.new_distance() < 0.0:
 		return LabText.translate(
-			"No impact in this frame, but new overlaps the line: only the reset moves it out."
+			"No impact in this frame, but new is behind the line: only the reset moves it out."
 		)
-	return LabText.translate("No impact in this frame: the ball may go to new.")
+	return LabText.translate(
+		"No impact in this frame, but new is too close: only the reset moves it out."
+	)
+
+
+static func _on_way(model: PointOfImpactModel) -> String:
+	if not model.is_reset():
+		return LabText.translate("POI = old + t v is on the path.")
+	if model.is_reset_at_impact():
+		return LabText.translate("POI = old + t v. Here the reset leads to the same place.")
+	return LabText.translate("POI = old + t v is on the path. The reset is not.")

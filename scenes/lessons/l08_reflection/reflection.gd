@@ -40,17 +40,17 @@ func start() -> void:
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_tell_refusal)
 	begin(_model, _show, _spanned_points)
-	open_with(_come)
+	open_with(_play_shot)
 
 
 func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
 
 
-# What moves by itself: the ball comes up to the line, waits there, and comes again.
-func _come(seconds: float) -> void:
-	var wait := 1.0
-	_model.time = minf(ReflectionModel.START + fmod(seconds, wait - ReflectionModel.START), 0.0)
+# What moves by itself: the ball flies in, bounces and flies off, once. Then it waits at the start.
+func _play_shot(seconds: float) -> void:
+	var time := ReflectionModel.START + seconds
+	_model.time = time if time < ReflectionModel.END else ReflectionModel.START
 
 
 # What the student does.
@@ -114,7 +114,7 @@ func _show() -> void:
 		ReflectionModel.Step.SLIDE,
 		ReflectionTexts.question_on_slide(),
 		ReflectionTexts.choices(),
-		func() -> int: return 1 if _has_part() else -1
+		func() -> int: return 1 if _has_part() and not _model.stops_after(1.0) else -1
 	)
 	ask_before(
 		ReflectionModel.Step.MIRROR,

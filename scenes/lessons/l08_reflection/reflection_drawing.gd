@@ -48,7 +48,7 @@ func show_ball(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	var leaving := model.velocity_after(model.times_subtracted(step))
 	_ball.lay(model.ball_centre(radius, leaving), radius)
 	# Up to the line both balls are one.
-	_wrong_ball.visible = model.mistake > 0 and model.time > 0.0
+	_wrong_ball.visible = model.mistake_shows() and model.time > 0.0
 	_wrong_ball.lay(model.ball_centre_with_mistake(radius), radius)
 
 
@@ -74,7 +74,8 @@ func _lay_split(model: ReflectionModel, step: ReflectionModel.Step, is_split: bo
 	_velocity.visible = is_split
 	_part.visible = is_split
 	_drop.visible = is_split and step == ReflectionModel.Step.SPLIT
-	_slide.visible = is_split and step >= ReflectionModel.Step.SLIDE
+	var slides := step >= ReflectionModel.Step.SLIDE and not model.stops_after(1.0)
+	_slide.visible = is_split and slides
 
 
 func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:
@@ -89,12 +90,12 @@ func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_spli
 	_leaving.lay(Vec2.new(), leaving)
 	_mirror.lay(Vec2.new(), model.velocity_after(2.0))
 	var has_part := not model.is_along_line()
+	_second.visible = bounces and has_part and leaving.distance_to(slide) > 0.0
 	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE and has_part
-	_second.visible = bounces and leaving.distance_to(slide) > 0.0
 	_leaving.visible = bounces
 	# Where it would lie on the arrow out of the line, it says nothing.
 	var turns := not model.has_equal_angles(model.times_subtracted(step))
-	_mirror.visible = bounces and model.mistake == 0 and turns
+	_mirror.visible = bounces and model.mistake == 0 and turns and has_part
 
 
 func _lay_wrong(model: ReflectionModel) -> void:
@@ -102,7 +103,7 @@ func _lay_wrong(model: ReflectionModel) -> void:
 	_wrong.label_place = Arrow.LabelPlace.MIDDLE if is_into_table else Arrow.LabelPlace.HEAD
 	_wrong.keep_label_from(model.velocity)
 	_wrong.lay(Vec2.new(), model.velocity_with_mistake())
-	_wrong.visible = model.mistake > 0
+	_wrong.visible = model.mistake_shows()
 	# Reflected again, the wrong arrow ends where these have their names.
 	var is_crowded := model.mistake == ReflectionMistakes.REFLECTED_AGAIN
 	_first.label = "" if is_crowded else "−(v·n) n"
@@ -137,6 +138,6 @@ func _show_verdict(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	_verdict.visible = model.refusal() == "" and step >= ReflectionModel.Step.SLIDE
 	var sign_text := ReflectionTexts.verdict_sign(model, step)
 	var role := Palette.Role.RIGHT if sign_text == "=" else Palette.Role.QUIET
-	if model.mistake != 0:
+	if model.mistake_shows():
 		role = Palette.Role.WRONG
 	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(model, step))

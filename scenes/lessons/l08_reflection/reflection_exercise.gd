@@ -8,9 +8,10 @@ extends Exercise
 ## What is asked for: C = 1, the part along the normal, another C, or the frame after the bounce.
 enum Kind { MIRROR, PART, BOUNCE, AWAY }
 
-## Directions of lines; each has length 1 or 5.
+## Directions of lines; each has length 2 or 5. With 1 a normal that is not brought to length 1
+## would be right.
 const _LINES: Array[Vector2i] = [
-	Vector2i(1, 0), Vector2i(0, 1), Vector2i(3, 4), Vector2i(4, 3), Vector2i(3, -4), Vector2i(4, -3)
+	Vector2i(2, 0), Vector2i(0, 2), Vector2i(3, 4), Vector2i(4, 3), Vector2i(3, -4), Vector2i(4, -3)
 ]
 
 ## The part of the velocity along the line is one of these times the line.
@@ -69,29 +70,42 @@ func _ask_bounce() -> void:
 	answer_titles = ["x =", "y ="]
 	var normal := along.normal()
 	var part := velocity.vector_projection(normal)
+	var across := Vec2.new(-along.y, along.x)
 	_expect(velocity.reflected(normal, bounciness))
 	_add(
-		ReflectionMistakes.with_normal_as_it_is(velocity, Vec2.new(-along.y, along.x), bounciness),
+		ReflectionMistakes.with_normal_as_it_is(velocity, across, bounciness),
 		tr("The normal was not brought to length 1.")
+	)
+	_add(
+		velocity.minus(part.scaled((1.0 + bounciness) * along.length())),
+		tr("The normal was brought to length 1 once, but used twice.")
 	)
 	_add(
 		ReflectionMistakes.off_the_normal_of_the_normal(velocity, normal, bounciness),
 		tr("Reflected off the line's direction, not off its normal: the normal of the normal.")
 	)
+	_add(velocity.minus(part), tr("Subtracted once only: the ball slides along the line."))
+	_add(velocity.plus(part), tr("Added instead of subtracted: faster into the line."))
+	_add(
+		velocity.negated(), tr("That turns the ball back on its way. Only the part along n turns.")
+	)
+	# Off a level or upright line, a flip is right, or is the normal of the normal.
+	if along.x != 0.0 and along.y != 0.0:
+		_add(Vec2.new(velocity.x, -velocity.y), tr("Flipping y is right for a level line only."))
+		_add(Vec2.new(-velocity.x, velocity.y), tr("Flipping x is right for an upright line only."))
+	if bounciness < 1.0:
+		_add_wrong_bounciness(normal, part)
+
+
+# With C = 1 most of these would be right.
+func _add_wrong_bounciness(normal: Vec2, part: Vec2) -> void:
 	_add(
 		ReflectionMistakes.bouncy_along_the_line(velocity, normal, bounciness),
 		tr("C acts on the part along the normal only, not along the line.")
 	)
 	_add(velocity.reflected(normal).scaled(bounciness), tr("C acts on the whole v there."))
 	_add(velocity.reflected(normal), tr("That is C = 1: subtract (1 + C) times, not twice."))
-	_add(velocity.minus(part), tr("Subtracted once only: the ball slides along the line."))
 	_add(velocity.minus(part.scaled(bounciness)), tr("Subtracted C times, not (1 + C) times."))
-	_add(velocity.plus(part), tr("Added instead of subtracted: faster into the line."))
-	_add(Vec2.new(velocity.x, -velocity.y), tr("Flipping y is right for a level line only."))
-	_add(Vec2.new(-velocity.x, velocity.y), tr("Flipping x is right for an upright line only."))
-	_add(
-		velocity.negated(), tr("That turns the ball back on its way. Only the part along n turns.")
-	)
 
 
 func _ask_part() -> void:

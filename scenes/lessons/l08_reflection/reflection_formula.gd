@@ -76,7 +76,8 @@ func _put_both_vectors(velocity: Vec2, normal: Vec2) -> void:
 func _put_results(model: ReflectionModel) -> void:
 	# Along the line, rounding is all that is left.
 	var scale := model.velocity.length() if model.is_along_line() else 0.0
-	_formula.put_vector_sum("part", model.normal_part(), scale, Palette.Role.PROJECTION)
+	var scales := Vec2.new(scale, scale)
+	_formula.put_vector_sum("part", model.normal_part(), scales, Palette.Role.PROJECTION)
 	_formula.put_vector("slide", model.velocity_after(1.0), Palette.Role.REST)
 	_formula.put_vector("mirror", model.velocity_after(2.0), Palette.Role.B)
 	_formula.put_vector("out", model.velocity_after(1.0 + model.bounciness), Palette.Role.B)

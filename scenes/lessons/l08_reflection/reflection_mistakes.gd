@@ -68,20 +68,14 @@ static func way_reflected_again(
 ## What the bug gallery says of each, translated.
 static func infos() -> Array[MistakeInfo]:
 	return [
-		(
-			MistakeInfo
-			. new(
-				NOT_UNIT,
-				LabText.translate("normal not of length 1"),
-				(
-					LabText
-					. translate(
-						"With n twice too long, v · n and n are both doubled: 4 times too much is subtracted."
-					)
-				),
-				"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused",
-				LabText.translate("The test gives a normal of another length and wants it refused.")
-			)
+		MistakeInfo.new(
+			NOT_UNIT,
+			LabText.translate("normal not of length 1"),
+			LabText.translate(
+				"With n twice as long, v · n and n both double: four times as much is subtracted."
+			),
+			"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused",
+			LabText.translate("The test gives a normal of another length and wants it refused.")
 		),
 		MistakeInfo.new(
 			NORMAL_OF_NORMAL,

@@ -5,8 +5,8 @@ extends LessonModel
 ## Velocities in units per second. The line goes through the origin, from minus [member along] to
 ## plus along; the ball touches it there at time 0.
 
-## How the drawing is built up. Each step says how many times the part along the normal is
-## subtracted.
+## How the drawing is built up. From the second one on, each step says how many times the part along
+## the normal is subtracted; the first one shows the ball as it bounces.
 enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
 
 ## Presets by their titles (source text): what each changes in the model's state.
@@ -84,12 +84,19 @@ func is_along_line() -> bool:
 	return absf(velocity.dot(unit_normal())) <= velocity.length() / 2.0 ** 50
 
 
+## Whether the ball stops where the part along the normal was subtracted [param times] times: what
+## rounding leaves of the velocity counts as 0. A ball that comes straight at the line does after
+## once.
+func stops_after(times: float) -> bool:
+	return velocity_after(times).length() <= velocity.length() / 2.0 ** 50
+
+
 ## How many times the part along the normal is subtracted at [param step]; never where the normal is
 ## refused.
 func times_subtracted(step: Step) -> float:
-	if refusal() or step < Step.SLIDE:
+	if refusal() or step == Step.SPLIT:
 		return 0.0
-	if step == Step.BOUNCE:
+	if step in [Step.MEET, Step.BOUNCE]:
 		return 1.0 + bounciness
 	return 1.0 if step == Step.SLIDE else 2.0
 
@@ -111,6 +118,12 @@ func velocity_with_mistake() -> Vec2:
 	)
 
 
+## Whether the mistake that is switched on leads to another velocity than the right one.
+func mistake_shows() -> bool:
+	var off := velocity_with_mistake().distance_to(velocity.reflected(unit_normal(), bounciness))
+	return mistake != 0 and off > 1e-9 * velocity.length()
+
+
 ## The angle in degrees between the way back of the ball and the normal, 0..90.
 func angle_in_degrees() -> float:
 	return absf(Vec2.rad_to_deg(facing_normal().angle_to(velocity.negated())))
@@ -125,10 +138,9 @@ func angle_out_degrees(leaving: Vec2) -> float:
 ## normal was subtracted [param times] times. Below 2 only head on or along the line. A ball that
 ## stops does not leave.
 func has_equal_angles(times: float) -> bool:
-	var leaving := velocity_after(times)
-	if times == 2.0 or leaving.length() == 0.0:
+	if times == 2.0 or stops_after(times):
 		return times == 2.0
-	return absf(angle_out_degrees(leaving) - angle_in_degrees()) < 1e-9
+	return absf(angle_out_degrees(velocity_after(times)) - angle_in_degrees()) < 1e-9
 
 
 ## Which share of the kinetic energy [param leaving] has; 1 for a ball at rest.

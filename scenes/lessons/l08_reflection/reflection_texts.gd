@@ -6,23 +6,36 @@ extends RefCounted
 ## One sentence a step, translated.
 static func sentences(model: ReflectionModel) -> PackedStringArray:
 	if model.refusal():
-		var refusals: PackedStringArray = []
-		refusals.resize(ReflectionModel.Step.size())
-		refusals.fill(
-			LabText.translate(
-				"n does not have length 1: reflect refuses it, and v stays as it was."
-			)
+		return _at_each_step(
+			LabText.translate("n does not have length 1. reflect refuses it, and v stays as it is.")
 		)
-		return refusals
+	if not model.velocity.length():
+		return _at_each_step(LabText.translate("v = 0: the ball does not move."))
+	var meet := LabText.translate(
+		"A ball with velocity v meets a line. n is the line's unit normal."
+	)
+	if model.is_along_line():
+		var nothing := _at_each_step(
+			LabText.translate("v · n = 0: no part of v goes into the line. v stays as it is.")
+		)
+		nothing[0] = meet
+		return nothing
 	return [
-		LabText.translate("A ball with velocity v meets a line. n is the line's unit normal."),
+		meet,
 		_on_part(model),
-		LabText.translate("Subtract that part once: nothing goes into the line. The ball slides."),
+		_on_slide(model),
 		LabText.translate("Subtract it twice: the law of reflection. Both angles are equal."),
 		LabText.translate(
 			"Subtract it (1 + C) times. C is the bounciness, the coefficient of restitution."
 		),
 	]
+
+
+static func _at_each_step(sentence: String) -> PackedStringArray:
+	var found: PackedStringArray = []
+	found.resize(ReflectionModel.Step.size())
+	found.fill(sentence)
+	return found
 
 
 ## What is asked before the ball slides, translated.
@@ -49,21 +62,24 @@ static func question_on_mirror() -> String:
 ## Two or three lines for the card on the board: the angles to the normal, what is left of the
 ## energy, and the answer of a mistake.
 static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> PackedStringArray:
-	var leaving := model.velocity_after(model.times_subtracted(step))
-	var words: PackedStringArray = [_angles(model, leaving)]
+	var times := model.times_subtracted(step)
+	var words: PackedStringArray = [_angles(model, times)]
 	if model.velocity.length() > 0.0:
-		var energy := LabText.translate("keeps %s %% of its energy")
-		words.append(energy % NumberText.short(model.energy_share(leaving) * 100.0, 3))
-	if model.mistake != 0:
+		var share := model.energy_share(model.velocity_after(times))
+		var percent := 0.0 if model.stops_after(times) else share * 100.0
+		words.append(LabText.translate("keeps %s %% of its energy") % NumberText.short(percent, 3))
+	if model.mistake_shows():
 		var wrong := model.velocity_with_mistake()
 		words.append(LabText.translate("the mistake says: %s") % NumberText.pair(wrong.x, wrong.y))
+	elif model.mistake != 0:
+		words.append(LabText.translate("the mistake changes nothing here"))
 	return words
 
 
 ## The sign that the card carries: whether the angles are equal; a cross where a mistake says
 ## something else.
 static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> String:
-	if model.mistake != 0:
+	if model.mistake_shows():
 		return "✗"
 	if not model.velocity.length():
 		return "0"
@@ -71,24 +87,30 @@ static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> 
 
 
 static func _on_part(model: ReflectionModel) -> String:
-	if model.is_along_line():
-		return LabText.translate("v · n = 0: nothing of v goes into the line, and nothing changes.")
 	if model.velocity.dot(model.unit_normal()) < 0.0:
 		return LabText.translate(
-			"(v · n) n is the part of v along n. v · n < 0: the ball approaches on the side of n."
+			"v · n < 0: n points to the ball's side. (v · n) n is the part of v along n."
 		)
 	return LabText.translate(
-		"(v · n) n is the part of v along n. v · n > 0: here n points to the other side."
+		"v · n > 0: n points to the other side. (v · n) n is the part of v along n."
 	)
 
 
-static func _angles(model: ReflectionModel, leaving: Vec2) -> String:
+static func _on_slide(model: ReflectionModel) -> String:
+	if model.stops_after(1.0):
+		return LabText.translate("Subtract that part once: nothing is left of v. The ball stops.")
+	return LabText.translate(
+		"Subtract that part once: nothing goes into the line. The ball slides."
+	)
+
+
+static func _angles(model: ReflectionModel, times: float) -> String:
 	if not model.velocity.length():
 		return LabText.translate("v = 0: the ball does not move")
 	if model.is_along_line():
 		return LabText.translate("it moves along the line")
 	var angle_in := NumberText.short(model.angle_in_degrees())
-	if leaving.length() == 0.0:
+	if model.stops_after(times):
 		return LabText.translate("in %s° to the normal, and it stops") % angle_in
-	var angle_out := NumberText.short(model.angle_out_degrees(leaving))
+	var angle_out := NumberText.short(model.angle_out_degrees(model.velocity_after(times)))
 	return LabText.translate("in %s°, out %s° to the normal") % [angle_in, angle_out]

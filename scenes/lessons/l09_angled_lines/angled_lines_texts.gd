@@ -28,12 +28,15 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 		(
 			LabText
 			. translate(
-				"Drag on the board to draw a line; drag ball, v, g, lines. To delete a line click it, then ✕."
+				"Drag on the board to draw a line. Drag ball, v, g or a line. To delete one, click it, then ✕."
 			)
 		),
 		_bounce_step(model, forecast),
-		LabText.translate(
-			"The same minute, stepped in four ways. E may never grow; with C = 1 it must stay."
+		(
+			LabText
+			. translate(
+				"The same minute, stepped in four ways. E must never grow; with C = 1 it must stay the same."
+			)
 		),
 	]
 
@@ -48,9 +51,9 @@ static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> Str
 	if not forecast:
 		return LabText.translate("It has not bounced yet. Pause to see the path to come.")
 	if not forecast.next_bounce:
-		return LabText.translate("Dotted is the path to come: there is no bounce on it.")
+		return LabText.translate("The dots show its path in the next 1.5 s: no bounce.")
 	return LabText.translate(
-		"Dotted is the path to come. At the ring the ball touches a line: v₁ turns into v₂."
+		"The dots show its path. At the ring the ball touches a line: v₁ turns into v₂."
 	)
 
 

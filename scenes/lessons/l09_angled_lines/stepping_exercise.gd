@@ -62,8 +62,6 @@ func _ask_earliest(rng: RandomNumberGenerator) -> void:
 func _ask_rest(rng: RandomNumberGenerator) -> void:
 	var speed := rng.randi_range(1, 9) * 10.0
 	var tenths := rng.randi_range(1, 9)
-	if tenths == 5:
-		tenths = 6
 	var share := tenths / 10.0
 	prompt = (
 		(
@@ -77,9 +75,14 @@ func _ask_rest(rng: RandomNumberGenerator) -> void:
 	answer_titles = ["d ="]
 	right_answer = [(1.0 - share) * speed]
 	add_mistake([0.0], tr("The rest of the frame was dropped: (1 − t) of it is still to be used."))
-	add_mistake([share * speed], tr("That is the way before the bounce; after it 1 − t is left."))
+	_add_either_sign(
+		share * speed, tr("That is the way before the bounce; after it 1 − t is left.")
+	)
+	_add_either_sign(
+		speed, tr("That is the way of a whole frame; a part of it was used up by the fall.")
+	)
 	add_mistake(
-		[speed], tr("That is the way of a whole frame; a part of it was used up by the fall.")
+		[-right_answer[0]], tr("That is its y, which points down. How many px above is positive.")
 	)
 
 
@@ -107,6 +110,10 @@ func _ask_moving_away(rng: RandomNumberGenerator) -> void:
 		_add_vector(
 			velocity.rejection(normal), tr("Subtracted once: that is C = 0. Twice for C = 1.")
 		)
+		_add_vector(
+			velocity.plus(velocity.minus(reflected)),
+			tr("The sign is wrong: subtract 2 (v · n) n from v.")
+		)
 	else:
 		right_answer = [velocity.x, velocity.y]
 		_add_vector(
@@ -133,12 +140,19 @@ func _ask_gravity(rng: RandomNumberGenerator) -> void:
 	Refusal.push(world.surroundings.set_gravity(Vec2.new(0.0, 60.0 * gravity)))
 	answer_titles = ["v ="]
 	right_answer = [before]
-	add_mistake(
-		[speed + gravity],
+	_add_either_sign(
+		speed + gravity,
 		tr("That is the gravity of the whole frame: only the share t of it has acted.")
 	)
-	add_mistake([speed], tr("Gravity acts, too: for the share t of the frame."))
-	add_mistake([-before], tr("That is the velocity just after the bounce."))
+	_add_either_sign(speed, tr("Gravity acts, too: for the share t of the frame."))
+	_add_either_sign(
+		before - 2.0 * gravity * tenths / 5.0,
+		tr("The sign is wrong: the ball falls, so gravity makes it faster.")
+	)
+	add_mistake(
+		[-before],
+		tr("A speed is never below 0. With y down, that is the velocity after the bounce.")
+	)
 
 
 # Puts up the ball, and lines with this normal which it touches when its centre is at `contacts`.
@@ -150,6 +164,12 @@ func _show(ball: Ball, contacts: Array[Vec2], normal: Vec2) -> void:
 		lines.append(LineSegment.new(foot.minus(half), foot.plus(half)))
 	Refusal.push(world.surroundings.set_segments(lines))
 	Refusal.push(world.set_balls([ball]))
+
+
+# Up or down may be positive for the student.
+func _add_either_sign(answer: float, sentence: String) -> void:
+	add_mistake([answer], sentence)
+	add_mistake([-answer], sentence)
 
 
 func _add_vector(answer: Vec2, sentence: String) -> void:

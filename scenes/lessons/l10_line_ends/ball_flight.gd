@@ -9,6 +9,8 @@ var start: Vec2
 var motion: Vec2
 ## The bounce, or a miss.
 var impact: Impact
+## The ball stays where it touches: what the bounce makes of its motion is not told yet.
+var stops_at_touch := false
 
 
 ## A flight from [param from] by [param by] that bounces at [param with], if that is a hit.
@@ -19,8 +21,10 @@ func _init(from: Vec2, by: Vec2, with: Impact) -> void:
 
 
 ## The motion per frame after the bounce; the same as before where there is no bounce, or a bounce
-## without a normal of length 1.
+## without a normal of length 1. 0 where it stops.
 func motion_after() -> Vec2:
+	if impact.hit and stops_at_touch:
+		return Vec2.new()
 	var has_normal := impact.hit and absf(impact.normal.length() - 1.0) < 1e-9
 	return motion.reflected(impact.normal) if has_normal else motion.copy()
 

@@ -40,15 +40,8 @@ func _init(kind: Kind, from: Vec2, by: Vec2, with_radius: float) -> void:
 
 
 ## A question with numbers drawn from [param rng]: the ball touches the end at a quarter, a half or
-## three quarters of the frame, and every known mistake leads to an answer of its own.
+## three quarters of the frame.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
-	var exercise := _drawn(kind, rng)
-	while not exercise.tells_mistakes_apart():
-		exercise = _drawn(kind, rng)
-	return exercise
-
-
-static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	var triple := _TRIPLES[rng.randi_range(0, _TRIPLES.size() - 1)]
 	var touch := Vec2.new(triple.x * _random_sign(rng), triple.y * _random_sign(rng))
 	var fraction := _FRACTIONS[rng.randi_range(0, _FRACTIONS.size() - 1)]
@@ -92,6 +85,7 @@ func _ask_fraction() -> void:
 		tr("That is the time of the closest approach: the root of D is missing.")
 	)
 	add_mistake([-equation.first_root()], tr("The sign is wrong: −b, and b is negative here."))
+	add_mistake([-equation.second_root()], tr("d goes from the end to the ball, not back."))
 
 
 func _ask_discriminant() -> void:
@@ -122,14 +116,16 @@ func _ask_normal() -> void:
 	var touch := difference.plus(motion.scaled(fraction))
 	var normal := touch.normalized()
 	right_answer = [normal.x, normal.y]
-	_add_vector(normal.negated(), tr("n points from the end to the ball, not the other way."))
-	_add_vector(touch, tr("That is not of length 1 yet: divide it by r."))
-	_add_vector(
+	add_mistake([-normal.x, -normal.y], tr("n points from the end to the ball, not the other way."))
+	_add_both_ways(touch, tr("That is not of length 1 yet: divide it by r."))
+	_add_both_ways(
 		difference.normalized(), tr("That is at the start: take the ball where it touches.")
 	)
-	_add_vector(motion.normal(), tr("That is perpendicular to v: n goes from the end to the ball."))
-	_add_vector(normal.normal(), tr("That is the normal of the normal: 90 degrees too far."))
-	_add_vector(difference.plus(motion).normalized(), tr("That is after the frame, not at t."))
+	_add_both_ways(
+		motion.normal(), tr("That is perpendicular to v: n goes from the end to the ball.")
+	)
+	_add_both_ways(normal.normal(), tr("That is the normal of the normal: 90 degrees too far."))
+	_add_both_ways(difference.plus(motion).normalized(), tr("That is after the frame, not at t."))
 
 
 func _ask(question: String, titles: PackedStringArray) -> void:
@@ -149,5 +145,7 @@ func _ask(question: String, titles: PackedStringArray) -> void:
 	answer_titles = titles
 
 
-func _add_vector(answer: Vec2, sentence: String) -> void:
+# Students take the difference of ball and end, and a normal, in either direction.
+func _add_both_ways(answer: Vec2, sentence: String) -> void:
 	add_mistake([answer.x, answer.y], sentence)
+	add_mistake([-answer.x, -answer.y], sentence)

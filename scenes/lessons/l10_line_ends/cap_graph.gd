@@ -11,6 +11,9 @@ const _MARGIN_BOTTOM := 26.0
 const _SAMPLES := 120
 const _FONT_SIZE := 15
 
+## Whether the roots are marked, or that there are none; seen from [method show_equation] on.
+var shows_roots := true
+
 var _equation: CapEquation
 var _fraction := 0.0
 var _end_name := "A"
@@ -39,7 +42,8 @@ func _draw() -> void:
 		_draw_axis()
 		_draw_curve()
 		_draw_radius()
-		_draw_roots()
+		if shows_roots:
+			_draw_roots()
 		_draw_live_point()
 
 

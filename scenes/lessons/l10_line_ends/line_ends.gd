@@ -86,7 +86,7 @@ func _show() -> void:
 		LineEndsTexts.Step.CAP,
 		LineEndsTexts.question_on_end(),
 		LineEndsTexts.choices_on_end(),
-		func() -> int: return 0 if _model.bounces_on_the_end() else 1
+		_right_choice_on_end
 	)
 	ask_choice_before(
 		LineEndsTexts.Step.BOUNCE,
@@ -94,7 +94,15 @@ func _show() -> void:
 		LineEndsTexts.choices_on_normal(),
 		func() -> int: return 0 if _model.bounces_on_the_end() else -1
 	)
-	tell_steps(LineEndsTexts.sentences())
+	tell_steps(LineEndsTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
 	_readout.show_model(_model, step)
+
+
+# Where the ball bounces on the line, or does not come past an end, there is nothing to ask.
+func _right_choice_on_end() -> int:
+	if _model.bounces_on_the_end():
+		return 0
+	var result := _model.result_in(LineEndsModel.Field.ROUND_CAPS)
+	return 1 if result == LineEndsModel.Result.PASSES_BESIDE else -1

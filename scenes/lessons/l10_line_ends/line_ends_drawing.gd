@@ -69,11 +69,15 @@ func fit(model: LineEndsModel) -> void:
 func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
 		_fields[i].visible = step >= _FIRST_STEPS[i]
-		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind))
+		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind), step)
 	_layout.active = _ACTIVE_FIELDS[step]
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC
-	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), model.fraction)
+	_graph.shows_roots = step >= LineEndsTexts.Step.ROOTS
+	var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
+	# After its bounce the ball is no longer on the curve.
+	var fraction := minf(model.fraction, impact.fraction) if impact.hit else model.fraction
+	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), fraction)
 
 
 # No lesson runs in the editor that would call these.

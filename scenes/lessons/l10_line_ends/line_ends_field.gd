@@ -69,9 +69,13 @@ func reserve_lines(count: int) -> void:
 	_words.custom_minimum_size.y = _words.get_line_height() * count
 
 
-## Shows [param model] in this field, and the flight [param wrong] of a mistake; null for none.
-func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
+## Shows [param model] in this field as far as [param step] has got, counted from 0, and the flight
+## [param wrong] of a mistake; null for none.
+func show_model(model: LineEndsModel, wrong: BallFlight, step: int) -> void:
 	var flight := model.flight_in(kind)
+	# The student is asked for the normal first.
+	var is_on_end := kind == LineEndsModel.Field.ROUND_CAPS and model.bounces_on_the_end()
+	flight.stops_at_touch = is_on_end and step < LineEndsTexts.Step.BOUNCE
 	_wall.show_model(model, kind)
 	_line.lay(model.segment.start, model.segment.end)
 	_shot.lay(model.start, model.new_position())
@@ -83,7 +87,7 @@ func show_model(model: LineEndsModel, wrong: BallFlight) -> void:
 		_impact_ball.lay(flight.impact.position, model.radius)
 	_show_wrong(model, wrong)
 	_title.text = LineEndsTexts.title(kind)
-	_words.text = LineEndsTexts.event_in(kind, model)
+	_words.text = LineEndsTexts.event_in(kind, model, step)
 	if wrong:
 		_words.text += "\n" + LineEndsTexts.wrong_event(model, wrong)
 

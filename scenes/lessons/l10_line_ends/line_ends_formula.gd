@@ -79,7 +79,9 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 		var point := model.start.plus(model.motion.scaled(maxf(fraction, 0.0)))
 		_formula.put_number("line_fraction", fraction, _BLUE)
 		_formula.put_vector("line_point", point, _BLUE)
-		_formula.put_number("s", model.segment.share_of(point), Palette.Role.INK)
+		# Of a difference of places, as d below.
+		var scale_of_s := (scale + 4.0 * model.motion.length()) / model.segment.length()
+		_formula.put_sum("s", model.segment.share_of(point), scale_of_s, Palette.Role.INK)
 		_starts_at_once = fraction < 0.0
 
 
@@ -90,12 +92,13 @@ func _put_equation(model: LineEndsModel) -> void:
 	_formula.put_symbol("u", "t₂", Palette.Role.REST)
 	# d is a difference of places: what rounding leaves of it grows with both.
 	var scale := 4.0 * (model.start.length() + model.cap_point().length())
-	_formula.put_vector_sum("d_pair", equation.difference, scale, Palette.Role.B)
+	var scales := Vec2.new(scale, scale)
+	_formula.put_vector_sum("d_pair", equation.difference, scales, Palette.Role.B)
 	_formula.put_sum("d_length", equation.difference.length(), scale, Palette.Role.B)
 	_formula.put_number("d_squared", equation.difference.length_squared(), Palette.Role.INK)
 	_formula.put_number("r_squared", model.radius * model.radius, Palette.Role.INK)
 	_formula.put_number("a", equation.a, Palette.Role.INK)
-	var scale_of_b := 2.0 * scale * equation.motion.length()
+	var scale_of_b := 0.5 * scale * equation.motion.length()
 	_formula.put_sum("b", equation.b, scale_of_b, Palette.Role.INK)
 	_formula.put_number("c", equation.c, Palette.Role.INK)
 	_formula.put_number("discriminant", equation.discriminant(), Palette.Role.INK)
@@ -111,7 +114,9 @@ func _put_bounce(model: LineEndsModel) -> void:
 	var impact := model.impact_in(LineEndsModel.Field.ROUND_CAPS)
 	if impact.hit:
 		_formula.put_vector("cap_normal", impact.normal, Palette.Role.UNIT)
-		_formula.put_vector("after", model.motion.reflected(impact.normal), Palette.Role.A)
+		var after := model.motion.reflected(impact.normal)
+		var scale := 4.0 * model.motion.length()
+		_formula.put_vector_sum("after", after, Vec2.new(scale, scale), Palette.Role.A)
 
 
 func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
@@ -124,7 +129,8 @@ func _lines_on_line(model: LineEndsModel, step: int) -> PackedStringArray:
 	elif approach < 0.0:
 		found.append("−{v} · {n} = {approach}: " + tr("it moves away, no impact"))
 	else:
-		found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}")
+		var overlap := "     " + tr("overlap: t = 0") if _starts_at_once else ""
+		found.append("{t} = ({distance} − {radius}) / {approach} = {line_fraction}" + overlap)
 		if step == LineEndsTexts.Step.SEGMENT:
 			found.append(
 				("F = P + 0 {v}" if _starts_at_once else "F = P + {t} {v}") + " = {line_point}"
@@ -149,6 +155,10 @@ func _lines_on_cap(model: LineEndsModel, step: int) -> PackedStringArray:
 # A ball that overlaps the end touches it where it starts, at whatever distance.
 func _lines_on_bounce(model: LineEndsModel) -> PackedStringArray:
 	if model.impact_in(LineEndsModel.Field.ROUND_CAPS).fraction == 0.0:
+		# With its centre on the end, only rounding gives d a direction.
+		var size := model.start.length() + model.cap_point().length()
+		if model.start.distance_to(model.cap_point()) <= 1e-12 * size:
+			return []
 		return ["{n} = {d} / |{d}| = {cap_normal}", "{v} − 2 ({v} · {n}) {n} = {after}"]
 	return [
 		"{t} = {first}",
@@ -178,6 +188,11 @@ func _verdict(model: LineEndsModel, equation: CapEquation) -> String:
 		return tr("the line is met first")
 	if equation.b >= 0.0:
 		return tr("moving away: none")
+	if equation.discriminant() == 0.0:
+		return tr("it only grazes: none")
 	if equation.c <= 0.0:
 		return tr("overlap: t = 0")
-	return tr("t₁ counts") if equation.first_root() <= 1.0 else tr("t₁ > 1: none")
+	if equation.first_root() > 1.0:
+		return tr("t₁ > 1: none")
+	# A ball that overlaps the line and moves away from it does not touch the end either.
+	return tr("t₁ counts") if model.bounces_on_the_end() else tr("moving away: none")

@@ -51,7 +51,7 @@ static func infos() -> Array[MistakeInfo]:
 			23,
 			LabText.translate("line without ends"),
 			LabText.translate(
-				"Infinite, no caps or one-sided: compare the four other fields, marked ✗."
+				"Infinite, no caps or one-sided: compare the other fields. A wrong one has a ✗."
 			),
 			"test_segment_impact.test_an_infinite_line_is_not_a_segment",
 			LabText.translate("The test shoots past both ends and from both sides.")

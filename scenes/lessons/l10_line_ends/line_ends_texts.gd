@@ -6,20 +6,34 @@ enum Step { ONE_SIDE, TWO_SIDES, SEGMENT, CAP, QUADRATIC, ROOTS, BOUNCE }
 
 
 ## One sentence a step, translated.
-static func sentences() -> PackedStringArray:
+static func sentences(model: LineEndsModel) -> PackedStringArray:
 	return [
 		LabText.translate(
-			"As before: an infinite line with one good side. A ball from behind passes."
+			"As before: an infinite line with one good side. A ball from behind passes through."
 		),
 		LabText.translate("Turn n to the ball's side: now both sides work. Still infinite."),
 		LabText.translate(
-			"With ends: at the touch, the ball's centre F must be beside the line, 0 ≤ s ≤ 1."
+			"With ends, 0 ≤ s ≤ 1 must hold: the ball's centre F is beside the line at the touch."
 		),
 		LabText.translate("Round caps: the ball touches an end when its centre is r away."),
 		LabText.translate("|d + t v| = r, squared, is a quadratic: a t² + b t + c = 0."),
-		LabText.translate("D < 0: no touch. Else t₁ is the first touch; it counts within 0..1."),
-		LabText.translate("n points from the end to the ball's centre. Reflect v on it as before."),
+		LabText.translate(
+			"D < 0: the ball misses. D > 0: t₁ is the first touch; it counts within 0..1."
+		),
+		_on_bounce(model),
 	]
+
+
+static func _on_bounce(model: LineEndsModel) -> String:
+	if model.bounces_on_the_end():
+		return LabText.translate(
+			"n points from the end to the ball's centre. Reflect v on it as before."
+		)
+	if model.impact_in(LineEndsModel.Field.ROUND_CAPS).hit:
+		return LabText.translate(
+			"This ball bounces on the line, with the line's normal, as before."
+		)
+	return LabText.translate("This ball touches neither the line nor an end: v stays as it is.")
 
 
 ## What is asked before the round caps, translated.
@@ -65,15 +79,21 @@ static func title(field: LineEndsModel.Field) -> String:
 	return LabText.translate("Segment, two sides, round caps")
 
 
-## What happens in a field, translated.
-static func event_in(field: LineEndsModel.Field, model: LineEndsModel) -> String:
+## What happens in a field as far as [param step] tells it, translated: the time at an end comes
+## with the roots, the bounce there at the end.
+static func event_in(
+	field: LineEndsModel.Field, model: LineEndsModel, step: int = Step.BOUNCE
+) -> String:
+	var impact := model.impact_in(field)
 	var words := _of_result(model.result_in(field))
+	var is_on_end := field == LineEndsModel.Field.ROUND_CAPS and model.bounces_on_the_end()
+	if is_on_end and step < Step.BOUNCE:
+		words = LabText.translate("touches the end")
 	if _is_wrong_line(model, field):
 		words = "✗ " + words
-	var impact := model.impact_in(field)
-	if not impact.hit:
+	if not impact.hit or is_on_end and step < Step.ROOTS:
 		return words
-	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction, 3)
+	return words + ", t\u00a0=\u00a0" + NumberText.short(impact.fraction)
 
 
 ## What the ball of a mistake does on its [param wrong] flight, translated.
@@ -106,7 +126,7 @@ static func _of_result(result: LineEndsModel.Result) -> String:
 		LineEndsModel.Result.PASSES_THROUGH:
 			return LabText.translate("passes through from behind")
 		LineEndsModel.Result.CUTS_THROUGH_THE_END:
-			return LabText.translate("misses the line, cuts through its end")
+			return LabText.translate("finds no hit, cuts through the end")
 	return _of_miss(result)
 
 

@@ -22,16 +22,8 @@ func _init(kind: Kind, one: PackedFloat64Array, other: PackedFloat64Array) -> vo
 		_ask_missing()
 
 
-## A question with components drawn from [param rng], none of them 0; three or four of them. Every
-## known mistake leads to an answer of its own.
+## A question with components drawn from [param rng], none of them 0; three or four of them.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
-	var exercise := _drawn(kind, rng)
-	while not exercise.tells_mistakes_apart():
-		exercise = _drawn(kind, rng)
-	return exercise
-
-
-static func _drawn(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
 	var dimension := rng.randi_range(3, 4)
 	var one := _random_list(dimension, rng)
 	var other := _random_list(dimension, rng)

@@ -111,7 +111,7 @@ func _show() -> void:
 
 
 func _show_calls() -> void:
-	_readout.visible = step >= MoreDimensionsTexts.Step.ANGLE
+	_readout.visible = step >= MoreDimensionsTexts.Step.ANGLE and _model.has_angle()
 	if not _readout.visible:
 		return
 	var one := _model.counted_a()
@@ -121,8 +121,7 @@ func _show_calls() -> void:
 	_show_call("cosine", "cos α", _model.cosine, _model.exact_cosine())
 
 
-# Without an exact answer - a zero vector makes no angle - there is no error either.
 func _show_call(key: String, title: String, method: Callable, exact: DoubleDouble) -> void:
 	var value: float = method.call()
-	var error := exact.error_of(value) if exact else 0.0
-	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(method))
+	var nanoseconds := CallTimer.nanoseconds(method)
+	_readout.show_result(key, title, value, exact.error_of(value), nanoseconds)

@@ -20,11 +20,12 @@ func show_model(model: MoreDimensionsModel, step: int) -> void:
 	for i in model.dimension():
 		_put_component(i + 1, model.a[i], model.b[i])
 	_formula.put_sum("dot", model.dot(), model.size_of_products(), Palette.Role.INK)
-	_formula.put_text("sign", MoreDimensionsTexts.comparison(model), Palette.Role.INK)
+	_formula.put_answer("sign", MoreDimensionsTexts.comparison(model), Palette.Role.INK)
+	_formula.put_answer("words", MoreDimensionsTexts.sign_words(model), Palette.Role.INK)
 	_formula.put_number("length_a", model.length_of_a(), Palette.Role.A)
 	_formula.put_number("length_b", model.length_of_b(), Palette.Role.B)
 	_formula.put_sum("cosine", model.cosine(), 1.0, Palette.Role.INK)
-	_formula.put_text("angle", _angle_text(model), Palette.Role.INK)
+	_formula.put_answer("angle", _angle_text(model), Palette.Role.INK)
 	_formula.show_lines(_lines(model, step))
 
 
@@ -44,7 +45,7 @@ func _lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
 	if step >= MoreDimensionsTexts.Step.SUM:
 		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + ") + " = {dot}")
 	if step >= MoreDimensionsTexts.Step.SIGN:
-		found.append("{a} · {b} {sign} 0:  " + MoreDimensionsTexts.sign_words(model))
+		found.append("{a} · {b} {sign} 0:  {words}")
 	if step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle():
 		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
 		found.append("cos α = {dot} / ({length_a}·{length_b}) = {cosine}")

@@ -19,6 +19,8 @@ const MOST := 4
 const LARGEST := 1e6
 ## No component but 0 is smaller in size than this.
 const SMALLEST := 1e-6
+## Degrees: a smaller angle between two vectors is rounding.
+const LEAST_ANGLE := 1e-13
 
 ## The components of both vectors, in units; always [constant MOST] of them.
 var a: PackedFloat64Array = [4.0, -3.0, 2.0, 1.0]
@@ -82,9 +84,27 @@ func exact_cosine() -> DoubleDouble:
 	return ComponentLists.exact_dot(counted_a(), counted_b()).divided(squares.square_root())
 
 
-## The angle between both in degrees, 0..180; 90 where there is none.
+## The angle between both in degrees, 0..180; 90 where there is none. It is not the arc cosine,
+## which keeps only half of the digits near 0 and 180.
 func angle_degrees() -> float:
-	return Vec2.rad_to_deg(acos(clampf(cosine(), -1.0, 1.0)))
+	if side() == Side.RIGHT:
+		return 90.0
+	var apart: PackedFloat64Array = []
+	var together: PackedFloat64Array = []
+	for i in dimension():
+		var of_a := a[i] / length_of_a()
+		var of_b := b[i] / length_of_b()
+		apart.append(of_a - of_b)
+		together.append(of_a + of_b)
+	var half := atan2(ComponentLists.length(apart), ComponentLists.length(together))
+	return _without_rounding(Vec2.rad_to_deg(2.0 * half))
+
+
+# Parallel vectors make no angle of 1e-14 degrees.
+static func _without_rounding(degrees: float) -> float:
+	if degrees < LEAST_ANGLE:
+		return 0.0
+	return 180.0 if degrees > 180.0 - LEAST_ANGLE else degrees
 
 
 ## The sum of the sizes of the products, in square units.

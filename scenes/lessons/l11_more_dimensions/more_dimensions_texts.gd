@@ -12,7 +12,7 @@ static func sentences(model: MoreDimensionsModel) -> PackedStringArray:
 		LabText.translate("A vector is a list of numbers: two, three, four of them, or more."),
 		LabText.translate("Multiply the first by the first, the second by the second, and so on."),
 		LabText.translate("Add the products: one number comes out, whatever the dimension."),
-		LabText.translate("Its sign alone tells whether the angle is below or above 90°."),
+		_on_sign(model),
 		_on_angle(model),
 	]
 
@@ -34,6 +34,17 @@ static func right_choice(model: MoreDimensionsModel) -> int:
 	return 1 - model.side() if model.has_angle() else -1
 
 
+# The shadow is drawn where there is a picture.
+static func _on_sign(model: MoreDimensionsModel) -> String:
+	if not model.has_angle():
+		return LabText.translate("A zero vector has no direction: there is no angle.")
+	if model.has_four:
+		return LabText.translate("Its sign alone tells whether the angle is below or above 90°.")
+	return LabText.translate(
+		"Its sign alone tells the angle. Above 90°, the shadow p of a points against b."
+	)
+
+
 static func _on_angle(model: MoreDimensionsModel) -> String:
 	if not model.has_angle():
 		return LabText.translate("A zero vector has no direction: there is no angle.")
@@ -48,7 +59,7 @@ static func verdict(model: MoreDimensionsModel) -> String:
 ## The words below the picture or the bars that replace it, translated.
 static func hint(model: MoreDimensionsModel) -> String:
 	if model.has_four:
-		return LabText.translate("Four axes fit into no picture. The formula does not mind.")
+		return LabText.translate("Four axes do not fit into a picture. The formula is the same.")
 	return LabText.translate("Drag beside the arrows to turn the axes.")
 
 

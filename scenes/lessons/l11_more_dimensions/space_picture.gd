@@ -24,8 +24,6 @@ const _TURN_PER_PIXEL := 0.01
 @export_range(-80.0, 80.0, 0.001, "radians_as_degrees") var pitch := -0.45
 
 var _reach := 1.0
-# Pixels from the origin, along the arc of the angle; empty where none is shown.
-var _arc: PackedVector2Array = []
 # Where the drag that turns the view was last; null while there is none.
 var _grip: Vec2
 
@@ -36,6 +34,7 @@ var _grip: Vec2
 @onready var _head_of_b: Handle = %HeadOfB
 @onready var _shadow: Arrow = %Shadow
 @onready var _to_shadow: Arrow = %ToShadow
+@onready var _arc: Line2D = %Arc
 @onready var _drops: Array[Arrow] = [%DropOfA, %DropOfB]
 @onready var _floors: Array[Arrow] = [%FloorOfA, %FloorOfB]
 
@@ -99,8 +98,11 @@ func _lay_shadow(model: MoreDimensionsModel, step: int) -> void:
 
 # Between both directions in space, drawn as it is seen.
 func _lay_arc(model: MoreDimensionsModel, step: int) -> void:
-	_arc.clear()
-	if step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle():
+	_arc.visible = step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle()
+	_arc.default_color = Palette.color(Palette.Role.INK)
+	_arc.position = to_screen(Vec2.new())
+	_arc.clear_points()
+	if _arc.visible:
 		for i in _STROKES + 1:
 			var share := float(i) / _STROKES
 			var mixed: PackedFloat64Array = [0.0, 0.0, 0.0]
@@ -111,15 +113,7 @@ func _lay_arc(model: MoreDimensionsModel, step: int) -> void:
 				)
 			var length := maxf(ComponentLists.length(mixed), 1e-300)
 			var seen := model.view.seen_at(mixed[0] / length, mixed[1] / length, mixed[2] / length)
-			_arc.append(seen.to_vector2() * _ARC_PIXELS)
-	queue_redraw()
-
-
-func _draw() -> void:
-	super()
-	if not _arc.is_empty():
-		draw_set_transform(to_screen(Vec2.new()))
-		draw_polyline(_arc, Palette.color(Palette.Role.INK), 3.0, true)
+			_arc.add_point(seen.to_vector2() * _ARC_PIXELS)
 
 
 func _fit() -> void:

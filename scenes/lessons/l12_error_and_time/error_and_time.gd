@@ -20,7 +20,8 @@ var first_problem := "ball_in_box"
 var _model: ErrorAndTimeModel
 var _formula: ErrorAndTimeFormula
 var _readout: ErrorAndTimeReadout
-# Until the student points at a point, the closest one shows what it is.
+# Until the student points at a point, the closest one shows what it is; where the order is shown,
+# one that has an order.
 var _has_pointed := false
 
 @onready var _plot: LogPlot = %Plot
@@ -161,6 +162,7 @@ func _show_run() -> void:
 		points.append(PlotPoint.new(measured.run_time_us, measured.error, series, words))
 	_plot.show_points(points, frontier)
 	if not _has_pointed:
-		_plot.show_chosen(frontier[-1] if frontier else -1)
+		var place := ErrorAndTimeModel.place_with_order(measurements) if step >= 2 else -1
+		_plot.show_chosen(place if place >= 0 or not frontier else frontier[-1])
 	_formula.show_order(measurements, _plot.chosen())
 	_readout.show_point(measurements, frontier, _plot.chosen())

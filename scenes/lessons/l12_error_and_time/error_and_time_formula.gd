@@ -26,7 +26,7 @@ func show_order(measurements: Array[Measurement], place: int) -> void:
 	_put_symbols()
 	var other := ErrorAndTimeModel.neighbour(measurements, place) if place >= 0 else -1
 	if other < 0:
-		_show_hint(tr("Point at a mark with a line:"), tr("its slope is the order p."))
+		_show_hint(tr("Point at a mark on a line"), tr("to see its order p."))
 	elif is_nan(ErrorAndTimeModel.order(measurements[place], measurements[other])):
 		_show_hint(_reason(measurements[place], measurements[other]), tr("So there is no order p."))
 	else:

@@ -133,6 +133,16 @@ static func neighbour(measurements: Array[Measurement], place: int) -> int:
 	return slower if slower >= 0 else faster
 
 
+## The place of the first measurement whose error falls while its run time grows, so that it has an
+## order p above 0; -1 where there is none.
+static func place_with_order(measurements: Array[Measurement]) -> int:
+	for place in measurements.size():
+		var other := neighbour(measurements, place)
+		if other >= 0 and order(measurements[place], measurements[other]) > 0.0:
+			return place
+	return -1
+
+
 ## The order p between two measurements of a method, log(e1/e2) / log(t2/t1): the error falls as
 ## the run time to the power -p. It is computed from the ratios as they are shown: more digits than
 ## that are not in a run time. NaN where an error is 0 or no answer, or where both took the same

@@ -9,7 +9,7 @@ var _readout: Readout
 ## Writes into [param readout].
 func _init(readout: Readout) -> void:
 	_readout = readout
-	_readout.show_headings(["", tr("error"), tr("run time"), tr("× time")] as PackedStringArray)
+	_readout.show_headings(["", tr("error"), tr("run time"), tr("× fastest")] as PackedStringArray)
 
 
 ## Shows the measurement at [param place], -1 for none, beside the ends of [param frontier].

@@ -9,16 +9,19 @@ const BOUNCES := "1/bounces"
 ## What the steps say.
 static func steps() -> PackedStringArray:
 	return [
-		LabText.translate(
-			"Each mark is a method: the further left, the faster; the lower, the smaller its error."
+		(
+			LabText
+			. translate(
+				"Each mark is a method at one setting: further left is faster, lower is closer to the truth."
+			)
 		),
 		LabText.translate(
-			"The dashed frontier joins the best: no method is both faster and closer than they are."
+			"The dashed frontier joins the best: no other mark is both faster and closer."
 		),
 		(
 			LabText
 			. translate(
-				"Point at a mark on a line: its slope is the order p. p = 2: twice the time, 1/4 of the error."
+				"Point at a mark on a line to see its order p. p = 2: twice the time leaves 1/4 of the error."
 			)
 		),
 	]
@@ -26,7 +29,7 @@ static func steps() -> PackedStringArray:
 
 ## What is asked before the frontier is shown.
 static func closest_prompt() -> String:
-	return LabText.translate("Read the plot: by run time, which method has the smallest error?")
+	return LabText.translate("Read the plot: which mark has the smallest error?")
 
 
 ## The answers to that, in the order of [method ErrorAndTimeModel.rank_of_closest].

@@ -45,7 +45,9 @@ func _ask_order(rng: RandomNumberGenerator) -> void:
 	)
 	add_mistake([-order], tr("The error falls while the run time grows: that is a positive order."))
 	if order > 1:
-		add_mistake([1.0 / order], tr("Upside down: log of the errors over log of the run times."))
+		var sentence := tr("Upside down: it is log of the errors over log of the run times.")
+		add_mistake([1.0 / order], sentence)
+		add_mistake([-1.0 / order], sentence)
 
 
 func _ask_cost(rng: RandomNumberGenerator) -> void:

@@ -40,14 +40,20 @@ var _names: PackedStringArray = []
 var _hollow: Array[bool] = []
 var _chosen := -1
 
+# Drawn apart, and the card too: both are hidden with all answers.
+@onready var _frontier_lines: Control = %Frontier
 @onready var _card: PanelContainer = %Card
 @onready var _words: Label = %Words
 
 
 func _ready() -> void:
 	resized.connect(_lay)
+	draw.connect(_frontier_lines.queue_redraw)
+	_frontier_lines.draw.connect(_draw_frontier)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
+	# A text that wraps has its height only once it has its width.
+	_words.minimum_size_changed.connect(_place_card, CONNECT_DEFERRED)
 	_lay()
 
 
@@ -109,7 +115,6 @@ func _draw() -> void:
 	_area.draw(self)
 	_draw_titles()
 	_draw_series()
-	_draw_frontier()
 	for i in _points.size():
 		PlotMark.draw(self, _points[i].series, pixel_of(i), _hollow[_points[i].series])
 	if _chosen >= 0:
@@ -143,10 +148,10 @@ func _draw_frontier() -> void:
 	for i in _frontier.size():
 		var at := pixel_of(_frontier[i])
 		var top := pixel_of(_frontier[i - 1]).y if i > 0 else _area.field.position.y
-		draw_dashed_line(Vector2(at.x, top), at, color, 2.0, 6.0)
+		_frontier_lines.draw_dashed_line(Vector2(at.x, top), at, color, 2.0, 6.0)
 		var is_last := i == _frontier.size() - 1
 		var right := _area.field.end.x if is_last else pixel_of(_frontier[i + 1]).x
-		draw_dashed_line(at, Vector2(right, at.y), color, 2.0, 6.0)
+		_frontier_lines.draw_dashed_line(at, Vector2(right, at.y), color, 2.0, 6.0)
 
 
 func _gui_input(event: InputEvent) -> void:
@@ -202,6 +207,12 @@ func _show_card() -> void:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
 	_words.custom_minimum_size.x = minf(_width_of_longest(_points[_chosen].words), _WIDEST)
+	_place_card()
+
+
+func _place_card() -> void:
+	if _chosen < 0:
+		return
 	_card.reset_size()
 	_card.position = _place_beside(pixel_of(_chosen), _card.size)
 

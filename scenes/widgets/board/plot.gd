@@ -14,6 +14,8 @@ const _MARGIN_TOP := 30.0
 const _MARGIN_BOTTOM := 26.0
 const _SAMPLES := 120
 const _FONT_SIZE := 15
+# A value of at most this share of the y axis is what rounding leaves of 0.
+const _ROUNDING := 1.0 / 2.0 ** 50
 
 ## What is drawn, as a heading: source text.
 @export var title := ""
@@ -78,8 +80,14 @@ func _draw_values() -> void:
 	for y: float in [_y_reach, -_y_reach]:
 		var text := NumberText.short(y, 3)
 		_write(text, Vector2(_MARGIN_LEFT - 6.0 - _width(text), _pixel(0.0, y).y + 5.0), quiet)
-	var value := NumberText.short(_value_at(_x))
+	var value := NumberText.short(_shown_value())
 	_write(value, Vector2(size.x - _MARGIN_RIGHT - _width(value), 20.0), Palette.color(role))
+
+
+# What is left by rounding is 0.
+func _shown_value() -> float:
+	var value := _value_at(_x)
+	return value if absf(value) > _ROUNDING * _y_reach else 0.0
 
 
 func _draw_curve() -> void:

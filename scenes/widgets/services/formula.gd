@@ -17,7 +17,7 @@ const _NAME := "\\{(\\w+)\\}"
 # Between two statements in a line there is a wide gap.
 const _GAP := "\\s{3,}"
 
-## Shows `?` in place of each number that cannot be typed over.
+## Shows `?` in place of each number that cannot be typed over, and of other answers.
 var hides_numbers := false:
 	set(value):
 		hides_numbers = value
@@ -27,6 +27,8 @@ var _roles: Dictionary[String, Palette.Role] = {}
 var _symbols: Dictionary[String, String] = {}
 var _titles: Dictionary[String, String] = {}
 var _texts: Dictionary[String, String] = {}
+# The names of texts that are answers.
+var _answers: PackedStringArray = []
 var _numbers: Dictionary[String, FormulaStatement.Number] = {}
 var _shown: PackedStringArray = []
 # The statements that are shown, and for each the labels and fields of its names.
@@ -51,25 +53,25 @@ func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> voi
 func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
 	if title:
 		_titles[name_in_line] = title
-	_put(name_in_line, [value], 0.0, role)
+	_put(name_in_line, [value], [0.0], role)
 
 
 ## A pair of numbers, such as (4, -3), in the color of [param role].
 func put_vector(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
-	_put(name_in_line, [vector.x, vector.y], 0.0, role)
+	_put(name_in_line, [vector.x, vector.y], [0.0, 0.0], role)
 
 
 ## A sum of terms whose sizes add up to [param size_of_terms], in the color of [param role]. What
 ## rounding alone leaves of it is shown as 0. For a sum whose terms the line does not show.
 func put_sum(name_in_line: String, value: float, size_of_terms: float, role: Palette.Role) -> void:
-	_put(name_in_line, [value], size_of_terms, role)
+	_put(name_in_line, [value], [size_of_terms], role)
 
 
-## The same for a pair, such as a difference of vectors.
+## The same for a pair, such as a difference of vectors: each component has terms of its own.
 func put_vector_sum(
-	name_in_line: String, vector: Vec2, size_of_terms: float, role: Palette.Role
+	name_in_line: String, vector: Vec2, sizes_of_terms: Vec2, role: Palette.Role
 ) -> void:
-	_put(name_in_line, [vector.x, vector.y], size_of_terms, role)
+	_put(name_in_line, [vector.x, vector.y], [sizes_of_terms.x, sizes_of_terms.y], role)
 
 
 ## A text, translated, in the color of [param role].
@@ -77,6 +79,13 @@ func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
 	_set_role(name_in_line, role)
 	_numbers.erase(name_in_line)
 	_texts[name_in_line] = text
+
+
+## A text that is an answer: it is hidden as numbers are.
+func put_answer(name_in_line: String, text: String, role: Palette.Role) -> void:
+	put_text(name_in_line, text, role)
+	if not name_in_line in _answers:
+		_answers.append(name_in_line)
 
 
 ## Shows these lines from top to bottom, with what has been put in.
@@ -89,14 +98,17 @@ func show_lines(lines: PackedStringArray) -> void:
 
 
 func _put(
-	name_in_line: String, components: PackedFloat64Array, size_of_terms: float, role: Palette.Role
+	name_in_line: String,
+	components: PackedFloat64Array,
+	sizes_of_terms: PackedFloat64Array,
+	role: Palette.Role
 ) -> void:
 	_set_role(name_in_line, role)
 	if not _numbers.has(name_in_line):
 		_numbers[name_in_line] = FormulaStatement.Number.new()
 	var number := _numbers[name_in_line]
 	number.components = components
-	number.scale = size_of_terms
+	number.scales = sizes_of_terms
 	number.is_typed = _titles.has(name_in_line)
 
 
@@ -193,4 +205,5 @@ func _fill(statement: int) -> void:
 		elif _numbers.has(name_in_line):
 			(part as Label).text = "?" if hides_numbers else texts[i]
 		elif _texts.has(name_in_line):
-			(part as Label).text = _texts[name_in_line]
+			var is_hidden := hides_numbers and name_in_line in _answers
+			(part as Label).text = "?" if is_hidden else _texts[name_in_line]

@@ -19,7 +19,7 @@ const _ZERO := 1e-12
 const _FEW_DIGITS := 5
 
 # What a student types is this long at most; a longer number comes from a drag or a turn.
-const _LONGEST_TYPED := 10
+const _LONGEST_TYPED := 11
 # The numbers of digits to try; a double needs 17 at most.
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
@@ -47,6 +47,8 @@ var _names: PackedStringArray = []
 var _variables: PackedStringArray = []
 # Between the signs of equality, with n0, n1, ... for the names.
 var _sides: PackedStringArray = []
+# The places of what stands alone between the parentheses and commas of a function.
+var _arguments: PackedInt32Array = []
 # How many components each name had when the following was found: 0 for a text.
 var _sizes: PackedInt32Array = []
 # For each side the place of its only number; -1 for a side that is more than one number.
@@ -65,8 +67,9 @@ class Number:
 	extends RefCounted
 	## One component, or the two of a pair.
 	var components: PackedFloat64Array
-	## The sum of the sizes of the terms that were added to get it; 0 where nothing was added.
-	var scale := 0.0
+	## For each component the sum of the sizes of the terms that were added to get it; 0 where
+	## nothing was added.
+	var scales: PackedFloat64Array
 	## The student can type over it: the field shows what was typed.
 	var is_typed := false
 
@@ -80,7 +83,10 @@ func _init(template: String) -> void:
 		_names.append(found.get_string(1))
 		text += template.substr(at, found.get_start() - at) + _variables[-1]
 		at = found.get_end()
-	_sides = (text + template.substr(at)).split(" = ")
+	text += template.substr(at)
+	for found in RegEx.create_from_string("atan2\\(n(\\d+), n(\\d+)\\)").search_all(text):
+		_arguments.append_array([found.get_string(1).to_int(), found.get_string(2).to_int()])
+	_sides = text.split(" = ")
 
 
 ## How the names are written, in the order of the template, where [param numbers] has the numbers
@@ -99,9 +105,8 @@ func texts(numbers: Dictionary[String, Number]) -> PackedStringArray:
 			)
 		else:
 			var number := numbers[_names[place]]
-			var scales: PackedFloat64Array = [number.scale, number.scale]
-			var is_alone := number.is_typed or place in _alone
-			found.append(_text(number, scales, _digits_of(number, digits), is_alone))
+			var is_alone := number.is_typed or place in _alone or place in _arguments
+			found.append(_text(number, number.scales, _digits_of(number, digits), is_alone))
 	return found
 
 
@@ -188,7 +193,7 @@ func _terms(numbers: Dictionary[String, Number]) -> PackedFloat64Array:
 func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> PackedFloat64Array:
 	var scales := terms.duplicate()
 	for component in scales.size():
-		scales[component] = maxf(terms[component], numbers[_names[_result]].scale)
+		scales[component] = maxf(terms[component], numbers[_names[_result]].scales[component])
 	return scales
 
 
@@ -227,8 +232,8 @@ func _inputs(
 		var value := 0.0
 		if _sizes[place] > 0:
 			var number := numbers[_names[place]]
-			value = number.components[mini(component, _sizes[place] - 1)]
-			value = _shown(value, number.scale, _digits_of(number, digits))
+			var at := mini(component, _sizes[place] - 1)
+			value = _shown(number.components[at], number.scales[at], _digits_of(number, digits))
 		inputs.append(absf(value) if are_sizes else value)
 	return inputs
 
@@ -238,7 +243,7 @@ static func _value(expression: Expression, inputs: Array[float]) -> float:
 	return value if value is float else NAN
 
 
-# A number that is alone, or a pair, needs no parentheses around a minus sign.
+# A number that is alone, an argument, or a pair, needs no parentheses around a minus sign.
 static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alone: bool) -> String:
 	var parts: PackedStringArray = []
 	var rounding := 0.0

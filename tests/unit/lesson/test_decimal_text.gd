@@ -46,6 +46,9 @@ func test_people_may_write_a_number_in_their_own_way() -> void:
 		"2.50", "02.5", "2.5e0", "25E-1", "0.25e+1", "2500e-3", "+2.5", "2,5", " 2.5\n"
 	]:
 		assert_eq(DecimalText.value_of(text), 2.5, text)
+	for dash: String in "−–‐‑‒—﹣－":
+		assert_eq(DecimalText.value_of(dash + "2.5e" + dash + "1"), -0.25, dash)
+	assert_eq(DecimalText.value_of("\u00a02,5\u00a0"), 2.5)
 	assert_eq(DecimalText.value_of(".5"), 0.5)
 	assert_eq(DecimalText.value_of("5."), 5.0)
 

@@ -74,6 +74,10 @@ func test_what_only_tracks_the_reader_is_passed_over() -> void:
 		"mc_cid=1&mc_eid=2",
 		"_hsenc=1",
 		"ref=share",
+		"sa=D&source=editors&ust=17&usg=AOv",
+		"si=Ab_1",
+		"mibextid=1",
+		"__cft__[0]=AZ",
 	]:
 		var link := LessonLink.read("count=4&%s&share=0.25" % tracker, _base())
 		assert_eq(link.problem, "", tracker)

@@ -3,13 +3,6 @@ extends LabTest
 
 const _QUESTIONS := 200
 const _FOLDER := "res://scenes/lessons/"
-## Kinds in which two mistakes, or a mistake and the right answer, are the same whatever the numbers
-## are. They are being mended; then this list goes.
-const _CLASHING: Array[String] = [
-	"turning_exercise.gd COSINE_AND_SINE",
-	"line_distance_exercise.gd DISTANCE",
-	"reflection_exercise.gd MIRROR",
-]
 
 
 func test_every_known_mistake_has_an_answer_of_its_own() -> void:
@@ -18,8 +11,7 @@ func test_every_known_mistake_has_an_answer_of_its_own() -> void:
 		for kind: String in kinds:
 			var name_of_kind := "%s %s" % [script.resource_path.get_file(), kind]
 			var number: int = kinds[kind]
-			if not name_of_kind in _CLASHING:
-				assert_eq(_first_clash(Callable(script, &"fresh"), number), "", name_of_kind)
+			assert_eq(_first_clash(Callable(script, &"fresh"), number), "", name_of_kind)
 
 
 # The first question of a kind in which two answers are the same.

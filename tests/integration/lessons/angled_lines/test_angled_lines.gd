@@ -38,7 +38,7 @@ func test_a_ball_that_touches_nothing_is_not_asked_for() -> void:
 	assert_no_refusal(_model().set_lines([] as Array[LineSegment]))
 	await student.press(&"lab_next_step")
 	assert_eq(frame().lesson.step, 1)
-	assert_reads("there is no bounce on it")
+	assert_reads("no bounce")
 
 
 func test_the_second_step_speaks_only_of_what_is_shown() -> void:

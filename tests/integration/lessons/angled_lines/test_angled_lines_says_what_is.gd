@@ -37,7 +37,8 @@ func test_the_judge_finds_what_is_false() -> void:
 	_steps().go_to(1)
 	assert_eq(_judge.problem(SeenLesson.of(frame())), "")
 	for wrong: Callable in [
-		func(seen: SeenLesson) -> void: seen.sentence = "Dotted: there is no bounce on it.",
+		func(seen: SeenLesson) -> void:
+			seen.sentence = "The dots show its path in the next 1.5 s: no bounce.",
 		func(seen: SeenLesson) -> void: seen.sentence = "The ball is lost: it has left the board.",
 		func(seen: SeenLesson) -> void: seen.sentence = "Something new.",
 		func(seen: SeenLesson) -> void: seen.lines[1] = "P = ( −201 , −120 )   v = ( 160 , 0 )",

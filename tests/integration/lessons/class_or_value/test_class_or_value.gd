@@ -42,9 +42,10 @@ func test_a_typed_number_changes_the_vec2_under_both_names() -> void:
 func test_with_copy_the_old_vec2_stays_behind() -> void:
 	await click_button("Use copy()")
 	assert_has(_formula_lines(), "old = position.copy()")
+	assert_has(_formula_lines(), "position (4, −4)   old (2, −3)")
 	await student.enter(_field("x of position"), "1")
-	assert_has(_formula_lines(), "position (1, −4)   old (4, −4)")
-	await click_button("Remember now")
+	assert_has(_formula_lines(), "position (1, −4)   old (2, −3)")
+	await click_button("Start again from here")
 	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
 
 
@@ -61,8 +62,71 @@ func test_the_change_is_asked_for_before_it_is_shown() -> void:
 	await go_to_step(ClassOrValueTexts.Step.SECOND_NAME)
 	await student.press(&"lab_next_step")
 	assert_does_not_read("set_xy( ")
-	await click_button("it moves, too")
-	assert_reads("Right")
+	await click_button("the old place")
+	assert_reads("No: it is the new place")
+
+
+func test_at_the_opening_both_sway_together_and_stay_level() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"class_or_value"))
+	OpeningMotion.is_allowed = false
+	var farthest := 0.0
+	for i: int in 40:
+		await get_tree().process_frame
+		var position := _arrow("%Position/Arrow")
+		var value := _arrow("%Value/Arrow")
+		farthest = maxf(farthest, absf(position.head.x - position.tail.x - 2.0))
+		assert_almost_eq(position.head - position.tail, value.head - value.tail, Vector2.ONE * 1e-5)
+		assert_almost_eq(position.head.y - position.tail.y, -3.0, 1e-5)
+	assert_gt(farthest, 0.3)
+
+
+func test_hidden_answers_hide_what_old_holds() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "position (4, −4)   old ?")
+	assert_eq(_arrow("%Old").modulate.a, 0.0)
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
+
+
+func test_no_arrow_reaches_into_the_other_field() -> void:
+	for x: float in [4.0, 9.5, 30.0, 16777217.0, 1e38]:
+		frame().lesson.show_state(
+			{
+				"position": PackedFloat64Array([x, -4]),
+				"old": PackedFloat64Array([-x, -3]),
+				"copies": true
+			}
+		)
+		for arrow: Arrow in [_arrow("%Old"), frame().lesson.get_node("%Position/Arrow") as Arrow]:
+			assert_lt(maxf(arrow.tail.x, arrow.head.x), 0.0, str(x))
+
+
+func test_copies_are_not_offered_before_the_harm_is_seen() -> void:
+	for step: int in ClassOrValueTexts.Step.size():
+		await go_to_step(step)
+		var options := frame().lesson.services[&"options"] as Control
+		assert_eq(options.visible, step >= ClassOrValueTexts.Step.CHANGE, "step %d" % (step + 1))
+
+
+func test_both_titles_stand_above_their_fields_in_their_own_halves() -> void:
+	for size: Vector2i in [Vector2i(1280, 720), Vector2i(390, 844)]:
+		await resize(size)
+		for x: float in [4.0, 1e6]:
+			frame().lesson.show_state(
+				{
+					"position": PackedFloat64Array([x, -4]),
+					"old": PackedFloat64Array([2, -3]),
+					"copies": false
+				}
+			)
+			var fields := frame().lesson.get_node("%Fields") as FieldTitles
+			var middle := frame().lesson.board.size.x / 2.0
+			var places := fields.title_places()
+			assert_between(places[0], FieldTitles.HALF_TITLE, middle - FieldTitles.HALF_TITLE)
+			var rightmost := 2.0 * middle - FieldTitles.HALF_TITLE
+			assert_between(places[1], middle + FieldTitles.HALF_TITLE, rightmost)
 
 
 func test_32_bits_are_seen_in_the_numbers() -> void:
@@ -94,12 +158,16 @@ func test_in_random_states_every_name_holds_what_the_code_gives_it() -> void:
 			lines, "position (%d, %d)   old (%d, %d)" % (new + (old if copies else new))
 		)
 		assert_string_contains(lines, "value (%d, %d)   old_value (%d, %d)" % (new + old))
+		var kept: Array[int] = old if copies else new
+		assert_eq(_arrow("%Old").head - _arrow("%Old").tail, Vector2(kept[0], kept[1]))
+		assert_eq(_arrow("%OldValue").head - _arrow("%OldValue").tail, Vector2(old[0], old[1]))
 
 
 func test_the_steps_begin_without_a_second_name_and_end_with_both_sums() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("1.3e−6")
 	assert_reads("958")
+	assert_reads("per addition")
 	for step: int in 3:
 		await student.press(&"lab_previous_step")
 	assert_false(_arrow("%Old").visible)

@@ -1,14 +1,20 @@
 extends LessonJudge
 ## Judges what the lesson on the dot product says.
 
+enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-14
+
+const _HATS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
 
 var _u_letter: String
 var _w_letter: String
 var _u_length: float
 var _w_length: float
 var _dot: float
+# How long the rest is.
+var _rest: float
 # What the dot product may be off by.
 var _off: float
 var _normalizes: bool
@@ -17,10 +23,12 @@ var _normalizes: bool
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	for found: String in [
-		_problem_of_card(seen),
-		_problem_of_sentence(seen.sentence),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels),
+		_problem_of_order(seen),
+		_problem_of_card(seen) if not seen.verdict.is_empty() else "",
+		_problem_of_sentence(seen),
+		_problem_of_rows(seen),
+		false_label(seen.labels, _claims_of_labels(seen.step)),
+		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
 	]:
 		if found:
 			return found
@@ -38,6 +46,9 @@ func _take(state: Dictionary) -> void:
 	_u_length = sqrt(u[0] * u[0] + u[1] * u[1])
 	_w_length = sqrt(w[0] * w[0] + w[1] * w[1])
 	_dot = u[0] * w[0] + u[1] * w[1]
+	_rest = 0.0
+	if _w_length > 0.0:
+		_rest = absf(u[0] * w[1] - u[1] * w[0]) / _w_length
 	_off = _ROUNDING * (absf(u[0] * w[0]) + absf(u[1] * w[1]))
 
 
@@ -65,9 +76,13 @@ func _can_be_wrong() -> bool:
 	return not _normalizes and _dot != 0.0 and _w_length != 1.0
 
 
-func _problem_of_card(seen: SeenLesson) -> String:
-	if seen.verdict.is_empty():
+func _problem_of_order(seen: SeenLesson) -> String:
+	if seen.verdict.is_empty() == (seen.step < Step.SCALAR):
 		return ""
+	return "the card comes with the scalar projection, not at step %d" % (seen.step + 1)
+
+
+func _problem_of_card(seen: SeenLesson) -> String:
 	var has_both := _u_length > 0.0 and _w_length > 0.0
 	var w_is_zero := "%s is zero: it has no direction" % _w_letter
 	var u_is_zero := "zero: %s is zero, and so is its shadow" % _u_letter
@@ -91,6 +106,8 @@ func _problem_of_card(seen: SeenLesson) -> String:
 		var times := SeenLesson.number_behind("wrong: |%s| =" % _w_letter, line)
 		if not is_nan(times) and not SeenLesson.is_close(times, _w_length, 0.0):
 			return "|%s| is %s: “%s”" % [_w_letter, _w_length, line]
+		if times == 1.0:
+			return "once is not wrong: “%s”" % line
 	return _problem_of_sign(seen.verdict_sign)
 
 
@@ -108,27 +125,36 @@ func _problem_of_sign(sign_text: String) -> String:
 	return "" if is_so else "the ball of the card has a “%s”" % sign_text
 
 
-func _problem_of_sentence(sentence: String) -> String:
+func _problem_of_sentence(seen: SeenLesson) -> String:
+	var sentence := seen.sentence
+	var step := seen.step
 	var has_w := _w_length > 0.0
 	var ends_at_head := absf(_dot - _w_length * _w_length) <= 1e-8 * _w_length * _w_length
-	var hats: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
-	var letters := {u = _u_letter, w = _w_letter, e = hats[_w_letter]}
+	var is_right := has_w and _normalizes
+	var is_wrong := has_w and not _normalizes
+	var letters := {u = _u_letter, w = _w_letter, e = _HATS[_w_letter]}
 	var claims: Dictionary[String, bool] = {
-		"A vector is a difference": true,
-		"{w} is zero: it has no direction, and no shadow": not has_w,
-		"{u} is zero: it has no direction, and there is no angle": has_w and _u_length == 0.0,
-		"Divide {w} by its length": has_w and _normalizes,
-		"The dot product with {e} is the scalar projection": has_w and _normalizes,
-		"{e} times the scalar projection is": has_w and _normalizes and not ends_at_head,
-		"Here it is {w} itself": has_w and _normalizes and ends_at_head,
-		"What is left of {u}, the rest {u} − p, is perpendicular to {w}": has_w and _normalizes,
-		"Here {w} is NOT divided by its length": has_w and not _normalizes,
-		"The dot product with {w} itself": has_w and not _normalizes,
-		"That times {w} is |{w}|² times the shadow": has_w and not _normalizes,
-		"The rest {u} − p is not perpendicular to {w}": has_w and _can_be_wrong(),
-		"the mistake changes nothing": has_w and not _normalizes and not _mistake_shows(),
-		"The dot product holds the angle": has_w and _u_length > 0.0,
-		"The primitive way": has_w and _u_length > 0.0,
+		"A vector is a difference": step == Step.VECTORS,
+		"{w} is zero: it has no direction, and no shadow": not has_w and step > Step.VECTORS,
+		"{u} is zero: it has no direction, and there is no angle":
+		has_w and _u_length == 0.0 and step >= Step.ANGLE,
+		"Divide {w} by its length": is_right and step == Step.UNIT,
+		"The dot product with {e} is the scalar projection": is_right and step == Step.SCALAR,
+		"{e} times the scalar projection is":
+		is_right and step == Step.PROJECTION and not ends_at_head,
+		"Here it is {w} itself": is_right and step == Step.PROJECTION and ends_at_head,
+		"What is left of {u}, the rest {u} − p, is perpendicular to {w}":
+		is_right and step == Step.REJECTION and _rest > 0.0,
+		"Nothing is left of {u} here: the rest {u} − p is zero":
+		is_right and step == Step.REJECTION and _rest <= _ROUNDING * _u_length,
+		"Here {w} is NOT divided by its length": is_wrong and step == Step.UNIT,
+		"The dot product with {w} itself": is_wrong and step == Step.SCALAR,
+		"That times {w} is |{w}|² times the shadow": is_wrong and step == Step.PROJECTION,
+		"The rest {u} − p is not perpendicular to {w}":
+		has_w and _can_be_wrong() and step == Step.REJECTION,
+		"the mistake changes nothing": is_wrong and not _mistake_shows() and step == Step.REJECTION,
+		"The dot product holds the angle": has_w and _u_length > 0.0 and step == Step.ANGLE,
+		"The primitive way": has_w and _u_length > 0.0 and step == Step.PRIMITIVE,
 	}
 	var with_letters: Dictionary[String, bool] = {}
 	for words in claims:
@@ -140,22 +166,35 @@ func _problem_of_sentence(sentence: String) -> String:
 
 
 # Value and error, in this order; the error is what the value is off by.
-func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
+func _problem_of_rows(seen: SeenLesson) -> String:
+	var rows := seen.rows
+	if rows.is_empty():
+		return ""
+	if _w_length == 0.0 or seen.step != Step.PRIMITIVE:
+		return "there is nothing to compare: “%s”" % "  ".join(rows[0])
 	for row in rows:
 		var value := SeenLesson.first_number(row[1])
 		var error := SeenLesson.first_number(row[2])
-		var right := _dot / _w_length if _w_length > 0.0 else 0.0
+		var right := _dot / _w_length
 		var off := _ROUNDING * _u_length + 1.1 * error
 		if is_nan(value) or not SeenLesson.is_close(value, right, off):
 			return "it is %s: “%s”" % [right, "  ".join(row)]
 		if row[0].ends_with("by the dot product"):
-			if not SeenLesson.is_close(value, _scalar() if _w_length > 0.0 else 0.0, off):
+			if not SeenLesson.is_close(value, _scalar(), off):
 				return "it is %s: “%s”" % [_scalar(), "  ".join(row)]
 	return ""
 
 
-func _problem_of_labels(labels: PackedStringArray) -> String:
-	for label in labels:
-		if label.ends_with(" − p") and label != "%s − p" % _u_letter:
-			return "the shadow is that of %s, not “%s”" % [_u_letter, label]
-	return ""
+func _claims_of_labels(step: int) -> Dictionary[String, bool]:
+	var has_w := _w_length > 0.0
+	var has_angle := has_w and _u_length > 0.0
+	return {
+		"a": true,
+		"b": true,
+		_HATS[_w_letter]: has_w and _normalizes and step >= Step.UNIT,
+		"φ = ": has_angle and step >= Step.SCALAR,
+		"p": has_w and step >= Step.PROJECTION,
+		"%s − p" % _u_letter: has_w and _normalizes and step == Step.REJECTION and _rest > 0.0,
+		"α = ": has_angle and step == Step.PRIMITIVE,
+		"β = ": has_angle and step == Step.PRIMITIVE,
+	}

@@ -30,7 +30,7 @@ func test_the_tab_key_goes_through_all_handles_and_on_to_the_panel() -> void:
 	var handles: Array[String] = [
 		"Whole vector a", "Tail of a", "Head of a", "Whole vector b", "Tail of b", "Head of b"
 	]
-	assert_eq(reached, handles + ["Step back"] as Array[String])
+	assert_eq(reached, handles + ["Step forward"] as Array[String], "past the button that is off")
 
 
 func test_tab_with_shift_goes_back_through_all_handles() -> void:

@@ -98,6 +98,19 @@ func test_a_mistake_that_changes_nothing_is_not_called_wrong() -> void:
 	await student.enter(field("x of b"), "0.5")
 	await student.enter(field("y of b"), "0")
 	assert_reads("wrong: |b| = 0.5 times the right one")
+	await student.enter(field("x of b"), "1.00001")
+	assert_reads("wrong: |b| = 1.00001 times the right one")
+
+
+func test_what_only_rounding_leaves_is_a_right_angle() -> void:
+	var numbers: Dictionary[String, String] = {
+		"x of a": "3", "y of a": "4", "x of b": "0.8", "y of b": "-0.6"
+	}
+	for title: String in numbers:
+		await student.enter(field(title), numbers[title])
+	assert_reads("Scalar projection 0\nzero: the angle is 90°")
+	assert_eq(_sign(), "0")
+	assert_has(formula_lines(), "a · b̂ = 0 / 1 = 0")
 
 
 func test_dragging_on_the_graph_turns_a_and_keeps_its_length() -> void:

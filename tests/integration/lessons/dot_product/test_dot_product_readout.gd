@@ -35,10 +35,17 @@ func test_the_error_of_the_forgotten_normalization_is_45() -> void:
 	assert_eq(_row("a · b by the dot product")[2], "45")
 
 
-func test_zero_vectors_give_zero_both_ways() -> void:
-	await click_button("Zero")
+func test_both_ways_give_zero_for_a_zero_a() -> void:
+	await student.enter(field("x of a"), "0")
+	await student.enter(field("y of a"), "0")
 	assert_eq(_row(_DOT)[1], "0")
 	assert_eq(_row(_PRIMITIVE)[1], "0")
+
+
+func test_nothing_is_compared_where_b_has_no_direction() -> void:
+	assert_reads(_PRIMITIVE)
+	await click_button("Zero")
+	assert_does_not_read(_PRIMITIVE)
 
 
 func test_both_run_times_are_given_in_nanoseconds() -> void:

@@ -87,7 +87,7 @@ func test_the_primitive_way_is_computed_in_steps() -> void:
 		PackedStringArray(
 			[
 				"α = atan2(1, 7) = 8.13°",
-				"β = atan2((−6), 8) = −36.87°",
+				"β = atan2(−6, 8) = −36.87°",
 				"φ = α − β = 45°",
 				"|a| cos φ = 7.071·cos 45° = 5",
 			]
@@ -113,6 +113,14 @@ func test_a_zero_vector_has_no_direction_and_no_lines_that_divide_by_its_length(
 	await student.enter(field("y of a"), "0")
 	assert_reads("a is zero: it has no direction, and there is no angle.")
 	assert_has(formula_lines(), "p = 0 b\u0302 = (0, 0)")
+
+
+func test_where_nothing_is_left_no_rest_is_shown() -> void:
+	await go_to_step(DotProductTexts.Step.REJECTION)
+	await student.enter(field("x of a"), "4")
+	await student.enter(field("y of a"), "-3")
+	assert_reads("Nothing is left of a here: the rest a − p is zero.")
+	assert_false((frame().lesson.get_node("%Rejection") as CanvasItem).visible)
 
 
 func test_the_right_angle_is_marked_with_the_rest() -> void:

@@ -1,6 +1,8 @@
 extends LessonJudge
-## Judges what the lesson on the easy bounce says in frame 0.
+## Judges what the lesson on the easy bounce says in the frame that is shown.
 ##
+## The frames before frame 0 are free flight; after it the easy program leads the ball that is
+## shown.
 ## A wall is judged as the floor that it becomes when x and y change places.
 
 # What a sum of doubles may be off by, as a share of its terms.
@@ -8,12 +10,19 @@ const _ROUNDING := 1e-13
 # Numbers on the card have three digits.
 const _THREE_DIGITS := 0.0051
 const _FRAMES_AFTER := 4
+# How many rows the table has at each step.
+const _ROWS: Array[int] = [0, 2, 3, 4, 4]
 
+var _step: int
+var _frame: int
 var _is_wall: bool
+var _pivot: PackedFloat64Array
 var _radius: float
 var _sine: float
 var _cosine: float
-# Of the ball from the middle of the line, with y down.
+# Place and velocity in frame 0, from the middle of the line, with y down: x, y, vx, vy.
+var _first: PackedFloat64Array
+# The same in the frame that is shown, after its move.
 var _x: float
 var _y: float
 var _vx: float
@@ -24,15 +33,19 @@ var _v_off: float
 
 
 func problem(seen: SeenLesson) -> String:
+	_step = seen.step
+	_frame = _frame_in(seen.lines)
 	_take(seen.state)
 	for found: String in [
 		false_claim([seen.sentence], _claims_of_sentences()),
+		_problem_of_card(seen.verdict),
 		false_claim(seen.verdict, _claims_of_card()),
 		_problem_of_card_numbers(seen.verdict),
-		_problem_of_sign(seen.verdict_sign),
+		_problem_of_sign(seen.verdict_sign, seen.verdict),
 		_problem_of_rows(seen.rows),
 		_problem_of_labels(seen.labels),
 		_problem_of_hits(seen.lines),
+		"there is no reason for “%s”" % seen.notice if seen.notice else "",
 	]:
 		if found:
 			return found
@@ -44,20 +57,47 @@ func _take(state: Dictionary) -> void:
 	var ball: PackedFloat64Array = state["ball"]
 	var pivot: PackedFloat64Array = state["pivot"]
 	var tilt: float = state["tilt_degrees"]
+	_pivot = pivot
 	var across := 1 if _is_wall else 0
 	var down := 1 - across
 	_sine = sin(deg_to_rad(-tilt if _is_wall else tilt))
 	_cosine = cos(deg_to_rad(tilt))
-	_x = ball[across] - pivot[across]
-	_y = ball[down] - pivot[down]
-	_vx = ball[2 + across]
-	_vy = ball[2 + down]
 	_radius = ball[4]
+	_first = [
+		ball[across] - pivot[across],
+		ball[down] - pivot[down],
+		ball[2 + across],
+		ball[2 + down],
+	]
+	_move_to_frame()
 	_off = _radius
 	for number: float in ball.slice(0, 4) + pivot:
 		_off += absf(number)
 	_off *= _ROUNDING
 	_v_off = _ROUNDING * (absf(_vx) + absf(_vy))
+
+
+# The number in the line `r = 60     tilt = 30°     frame 1`; 0 where there is none.
+static func _frame_in(lines: PackedStringArray) -> int:
+	for line in lines:
+		var number := SeenLesson.number_behind("     frame ", line)
+		if not is_nan(number):
+			return int(number)
+	return 0
+
+
+func _move_to_frame() -> void:
+	var ball := _first
+	for i in absi(_frame):
+		ball = _moved(_easy(ball), 1.0) if _frame > 0 else _moved(ball, -1.0)
+	_x = ball[0]
+	_y = ball[1]
+	_vx = ball[2]
+	_vy = ball[3]
+
+
+static func _moved(ball: PackedFloat64Array, times: float) -> PackedFloat64Array:
+	return [ball[0] + times * ball[2], ball[1] + times * ball[3], ball[2], ball[3]]
 
 
 func _is_level() -> bool:
@@ -150,16 +190,28 @@ func _velocity_error() -> float:
 	return Vec2.new(easy[2] - right[2], easy[3] - right[3]).length()
 
 
-# The farthest that the balls of both programs get from each other in the frames that are shown.
-func _farthest_apart() -> float:
-	var easy := _easy([_x, _y, _vx, _vy])
-	var right := _right([_x, _y, _vx, _vy])
-	var farthest := 0.0
+# How far the balls of both programs are from each other at the end of each frame from frame 0 on.
+func _distances_apart() -> PackedFloat64Array:
+	var easy := _easy(_first)
+	var right := _right(_first)
+	var distances: PackedFloat64Array = []
 	for i in _FRAMES_AFTER + 1:
-		farthest = maxf(farthest, Vec2.new(easy[0] - right[0], easy[1] - right[1]).length())
-		easy = _easy([easy[0] + easy[2], easy[1] + easy[3], easy[2], easy[3]])
-		right = _right([right[0] + right[2], right[1] + right[3], right[2], right[3]])
+		distances.append(Vec2.new(easy[0] - right[0], easy[1] - right[1]).length())
+		easy = _easy(_moved(easy, 1.0))
+		right = _right(_moved(right, 1.0))
+	return distances
+
+
+func _farthest_apart() -> float:
+	var farthest := 0.0
+	for distance in _distances_apart():
+		farthest = maxf(farthest, distance)
 	return farthest
+
+
+# Before frame 0 there is one ball.
+func _apart_now() -> float:
+	return _distances_apart()[_frame] if _frame >= 0 else 0.0
 
 
 func _claims_of_sentences() -> Dictionary[String, bool]:
@@ -167,7 +219,7 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 	var is_floor := _is_level() and not _is_wall
 	var is_upright := _is_level() and _is_wall
 	return {
-		"Here the ball stays off the line": _can_miss(),
+		"Here the ball does not reach the line": _can_miss(),
 		"Now the ball is behind the line": _shortest() <= -_radius + _off,
 		"Now the ball overlaps the line": _can_hit() and _shortest() > -_radius - _off,
 		"Detect: on a tilted line": is_tilted,
@@ -179,13 +231,20 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		"Put back: change only y": _can_hit() and is_floor,
 		"Flip: only after a hit": _can_miss(),
 		"Here v stays": _can_hit() and _can_keep(),
-		"Flip: only v's part along the normal": _can_reflect() and is_tilted,
+		"Flip: only the part of v along the normal": _can_reflect() and is_tilted,
 		"Flip: x of v changes its sign": _can_reflect() and is_upright,
 		"Flip: y of v changes its sign": _can_reflect() and is_floor,
 		"Then tilt the line": _is_level(),
 		"Here both programs do the same": is_tilted and _farthest_apart() <= 100.0 * _off,
 		"the easy ball goes astray": is_tilted and _farthest_apart() > 0.0,
 	}
+
+
+# It comes with the first step that can be wrong.
+func _problem_of_card(lines: PackedStringArray) -> String:
+	if lines.is_empty() != (_step == 0):
+		return "the card says “%s” at step %d" % ["".join(lines), _step + 1]
+	return ""
 
 
 func _claims_of_card() -> Dictionary[String, bool]:
@@ -218,8 +277,8 @@ func _claims_of_card() -> Dictionary[String, bool]:
 		"px per frame off": true,
 		"The easy way is right": _is_level(),
 		"in all three steps": _is_level(),
-		"Frame 0:": true,
-		"both balls are in one place": _place_error() <= _off,
+		"Frame %s:" % str(_frame).replace("-", NumberText.MINUS): _step == 4,
+		"both balls are in one place": _apart_now() <= 100.0 * _off,
 		"the easy ball is": not _is_level(),
 	}
 
@@ -230,7 +289,7 @@ func _problem_of_card_numbers(lines: PackedStringArray) -> String:
 		"the ball stays": _radius - _shortest(),
 		"Put back": _place_error(),
 		"and still": _radius * (1.0 - _cosine),
-		"the easy ball is": _place_error(),
+		"the easy ball is": _apart_now(),
 	}
 	var wanted_before: Dictionary[String, float] = {
 		"px too far": _too_long(), "px per frame off": _velocity_error()
@@ -253,13 +312,19 @@ func _is_like(shown: float, wanted: float) -> bool:
 	return absf(shown - wanted) <= _THREE_DIGITS * absf(wanted) + _off + _v_off
 
 
-func _problem_of_sign(sign_text: String) -> String:
-	var is_so := true
+# A tilted line can be as good as level by luck: then the lines of the card are judged.
+func _problem_of_sign(sign_text: String, lines: PackedStringArray) -> String:
+	var words := " ".join(lines)
+	var is_so := false
 	match sign_text:
+		"":
+			is_so = lines.is_empty()
 		"✓":
-			is_so = _is_level()
+			is_so = _is_level() and words.contains("ight")
 		"✗":
-			is_so = not _is_level()
+			is_so = not _is_level() and (words.contains(" px "))
+		"=":
+			is_so = not _is_level() and (words.contains("the same") or words.contains("one place"))
 		"0":
 			is_so = _can_miss() or _can_keep() and _easy_can_keep()
 	return "" if is_so else "the ball of the card has a “%s”" % sign_text
@@ -276,8 +341,14 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 		"easy place": _place_error(),
 		"easy velocity": _velocity_error(),
 	}
+	if rows.size() != _ROWS[_step]:
+		return "the table has %d rows at step %d" % [rows.size(), _step + 1]
 	for row in rows:
+		if not errors.has(row[0]):
+			return "no value is known for “%s”" % row[0]
 		var value := SeenLesson.first_number(row[1])
+		if row[0] in ["easy place", "easy velocity"] and not _is_pair(row[1], row[0]):
+			return "the easy program makes %s: “%s”" % [_easy(_now()), "  ".join(row)]
 		if values.has(row[0]) and not SeenLesson.is_close(value, values[row[0]], _off):
 			return "it is %s: “%s”" % [values[row[0]], "  ".join(row)]
 		if not _is_like(SeenLesson.first_number(row[2]), errors[row[0]]):
@@ -285,13 +356,61 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 	return ""
 
 
+func _now() -> PackedFloat64Array:
+	return [_x, _y, _vx, _vy]
+
+
+# Whether a pair with three digits is the place or the velocity that the easy program makes. Where
+# rounding alone decides whether it is a hit, both are.
+func _is_pair(text: String, title: String) -> bool:
+	var at := 0 if title == "easy place" else 2
+	var parts := text.trim_prefix("(").trim_suffix(")").split(", ")
+	for ball: PackedFloat64Array in [_easy(_now()), _now()]:
+		var is_so := _easy_can_miss() or ball != _now() or _easy(_now()) == _now()
+		for i in 2:
+			var wanted := ball[at + ((1 - i) if _is_wall else i)]
+			if at == 0:
+				wanted += _pivot[i]
+			is_so = is_so and _is_like(SeenLesson.first_number(parts[i]), wanted)
+		if is_so:
+			return true
+	return false
+
+
+# What is drawn at each step; what belongs to a hit or to a tilted line only where there is one.
+func _claims_of_labels() -> Dictionary[String, bool]:
+	var tilted := not _is_level()
+	return {
+		"before": _step == 0,
+		"v": _step in [0, 3, 4],
+		"L": _step == 1 and tilted,
+		"P − L": _step == 1 and tilted,
+		"n̂": _step == 3 and tilted,
+		"flipped": _step == 3 and _is_level() and _can_reflect(),
+		"easy": tilted and (_step == 4 or _step in [2, 3] and (_can_hit() or _easy_can_hit())),
+		"right": tilted and (_step == 4 or _step in [2, 3] and (_can_hit() or _easy_can_hit())),
+	}
+
+
 func _problem_of_labels(labels: PackedStringArray) -> String:
+	var claims := _claims_of_labels()
 	var lengths: Dictionary[String, float] = {"shortest ": _shortest(), "easy ": _straight()}
 	for label in labels:
+		if label in claims:
+			if not claims[label]:
+				return "nothing is to be called “%s” at step %d" % [label, _step + 1]
+			continue
+		var known := false
 		for words in lengths:
-			var shown := SeenLesson.number_behind(words, label)
-			if not is_nan(shown) and not SeenLesson.is_close(shown, lengths[words], _off):
+			var start := words if not _is_level() else ""
+			var shown := SeenLesson.first_number(label.trim_prefix(start))
+			if is_nan(shown) or not label.begins_with(start):
+				continue
+			known = true
+			if not SeenLesson.is_close(shown, lengths[words], _off) or _step != 1:
 				return "it is %s: “%s”" % [lengths[words], label]
+		if not known:
+			return "no claim is known for “%s”" % label
 	return ""
 
 

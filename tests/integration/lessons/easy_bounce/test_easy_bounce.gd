@@ -119,7 +119,7 @@ func test_in_a_frame_without_a_hit_the_card_names_no_mistake() -> void:
 	await go_to_step(EasyBounceTexts.Step.BOUNCE)
 	for i: int in 2:
 		await click_button("One frame back")
-	assert_reads("Frame -1:\nboth balls are in one place")
+	assert_reads("Frame −1:\nboth balls are in one place")
 
 
 # What is true of a ball does not depend on the frame in which it is shown.
@@ -140,6 +140,37 @@ func test_each_frame_says_of_its_ball_what_frame_0_says_of_the_same_ball() -> vo
 				frame().lesson.show_state(first)
 				for i: int in in_frame + 1:
 					(frame().lesson.services[&"transport"] as Transport).advanced.emit(1.0 / 60.0)
+
+
+func test_what_each_step_says_in_each_frame_is_true() -> void:
+	var judge := LessonJudge.of(&"easy_bounce")
+	await click_button("Wall instead of floor")
+	for tilt: String in ["0°", "30°", "−45°"]:
+		await click_button(tilt)
+		for step: int in 5:
+			await go_to_step(step)
+			for i: int in 9:
+				await click_button("One frame on")
+				var what := SeenLesson.of(frame())
+				assert_eq(judge.problem(what), "", "%s, step %d, %s" % [tilt, step + 1, what.lines])
+
+
+# Rounding would be 1.4e-14 here.
+func test_a_difference_that_is_rounding_alone_is_shown_as_0() -> void:
+	await click_button("30°")
+	await student.enter(field("y of the ball"), "120")
+	await go_to_step(EasyBounceTexts.Step.DETECT)
+	assert_has(
+		formula_lines(),
+		"right: (P − L) · n̂ = (−138.56)·0.5 + 0·(−0.86603) = −69.28     −69.28 < r = 60: hit"
+	)
+
+
+func test_hidden_answers_hide_the_hit() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(formula_lines(), "easy: floor − y = ? − ? = ?     ?")
+	await student.press(&"lab_hide_answers")
+	assert_has(formula_lines(), "easy: floor − y = 40 − 4 = 36     36 < r = 60: hit")
 
 
 func test_behind_a_tilted_line_the_easy_distance_is_too_far_by_a_size() -> void:

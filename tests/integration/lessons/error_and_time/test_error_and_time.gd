@@ -29,10 +29,21 @@ func test_the_second_step_shows_the_frontier_and_tells_of_the_closest_point() ->
 	assert_does_not_read("log(")
 
 
+func test_the_key_that_hides_answers_hides_the_frontier_and_the_card() -> void:
+	await _finish_measuring()
+	_steps().go_to(1)
+	await student.settle()
+	for alpha: float in [0.0, 1.0]:
+		await student.press(&"lab_hide_answers")
+		await student.settle()
+		for part: String in ["%Frontier", "%Card"]:
+			assert_eq((_plot().get_node(part) as Control).modulate.a, alpha, part)
+
+
 func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	await _finish_measuring()
 	await student.press(&"lab_next_step")
-	assert_reads("which method has the smallest error?")
+	assert_reads("which mark has the smallest error?")
 	await click_button("the slowest")
 	var is_slowest := _model().rank_of_closest() == 2
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
@@ -79,6 +90,28 @@ func test_the_last_step_shows_the_order_of_the_method_pointed_at() -> void:
 		there[place], there[ErrorAndTimeModel.neighbour(there, place)]
 	)
 	assert_almost_eq(shown, order, absf(order) * 1e-3)
+
+
+func test_the_last_step_begins_with_a_mark_that_has_an_order() -> void:
+	await _finish_measuring()
+	_steps().go_to(2)
+	await student.settle()
+	assert_eq(_plot().chosen(), ErrorAndTimeModel.place_with_order(_run().measurements()))
+	assert_eq(Screen.lines(frame().lesson.services[&"formula"] as Formula).size(), 4)
+
+
+func test_the_card_beside_a_mark_is_as_high_as_its_words() -> void:
+	for problem: int in [4, 5, 6]:
+		_steps().go_to(0)
+		await _pick("What is measured", problem)
+		await _finish_measuring()
+		await student.settle()
+		_steps().go_to(1)
+		await student.settle()
+		var card := _plot().get_node("%Card") as Control
+		var words := _plot().get_node("%Words") as Label
+		var height := words.get_line_count() * words.get_line_height()
+		assert_between(card.size.y, 1.0 * height, height + 40.0, "problem %d" % problem)
 
 
 func test_where_there_is_no_order_the_formula_says_why() -> void:
@@ -224,6 +257,8 @@ func test_the_table_of_stability_is_tried_case_by_case_and_shows_what_holds() ->
 		var holds := _table().row(place).outcome() == StabilityMark.Outcome.PASSED
 		assert_eq(holds, run.results[place].passed, run.cases[place].title)
 		assert_reads(run.results[place].figure)
+	var judge := LessonJudge.of(&"error_and_time")
+	assert_eq(judge.problem(SeenLesson.of(frame())), "")
 
 
 func test_no_row_says_that_more_was_tried_than_was() -> void:

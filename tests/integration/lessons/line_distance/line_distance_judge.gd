@@ -4,6 +4,13 @@ extends LessonJudge
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-13
 
+# The steps of the distance, the gap and the segment, counted from 0.
+const _DISTANCE := 2
+const _GAP := 3
+const _SEGMENT := 4
+
+const _SIGN := "the ball of the card has a “%s”"
+
 const _NOT_UNIT := 10
 const _WRONG_SIGN := 9
 const _STRAIGHT_UP := -2
@@ -26,9 +33,10 @@ func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	for found: String in [
 		_problem_of_card(seen),
-		_problem_of_sentence(seen.sentence),
+		_problem_of_sentence(seen.sentence, seen.step),
 		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels),
+		_problem_of_labels(seen.labels, seen.step),
+		_problem_of_time(seen),
 	]:
 		if found:
 			return found
@@ -97,24 +105,29 @@ func _problem_of_card(seen: SeenLesson) -> String:
 		"the gap to the segment is": _to_segment - _radius,
 		"the mistake says: gap": _wrong - _radius,
 	}
-	found = _false_number(seen.verdict, wanted)
+	found = false_number(seen.verdict, wanted, _off)
 	if found:
 		return found
-	var is_so := _distance < _off if seen.verdict_sign == NumberText.MINUS else _distance > -_off
-	return "" if is_so else "the ball of the card has a “%s”" % seen.verdict_sign
+	var signs: Dictionary[String, bool] = {
+		"+": _distance > -_off, NumberText.MINUS: _distance < _off
+	}
+	return "" if signs.get(seen.verdict_sign, false) else _SIGN % seen.verdict_sign
 
 
-func _problem_of_sentence(sentence: String) -> String:
+func _problem_of_sentence(sentence: String, step: int) -> String:
+	var is_compared := _mistake != 0 and step >= _DISTANCE
+	var is_last := step == _SEGMENT and not is_compared
 	var claims: Dictionary[String, bool] = {
-		"d leads from p": true,
-		"The unit normal n̂ is perpendicular to the line": true,
-		"d · n̂ is the distance of c": true,
-		"Subtract the radius": _mistake == 0,
-		"Compare the distance of the mistake": _mistake != 0,
-		"Beside an end the segment is farther away": _is_beside_end(1e-9),
-		"The distance to the segment has no sign": _distance < _off,
+		"d leads from p": step == 0,
+		"The unit normal n̂ is perpendicular to the line": step == 1,
+		"d · n̂, the shadow of d on n̂, is the distance of c":
+		step == _DISTANCE and not is_compared,
+		"Subtract the radius": step == _GAP and not is_compared,
+		"Compare the distance of the mistake": is_compared,
+		"Past an end, the segment is farther away": is_last and _is_beside_end(1e-9),
+		"The distance to the segment has no sign": is_last and _distance < _off,
 		"Here the distance to the segment is the same":
-		not _is_beside_end(-1e-9) and _distance > -_off,
+		is_last and not _is_beside_end(-1e-9) and _distance > -_off,
 	}
 	return false_claim([sentence], claims)
 
@@ -129,27 +142,42 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 	return ""
 
 
-func _problem_of_labels(labels: PackedStringArray) -> String:
+func _problem_of_labels(labels: PackedStringArray, step: int) -> String:
 	var gap := _distance - _radius
+	var has_gap := step >= _GAP
+	var is_compared := _mistake != 0 and step >= _DISTANCE
 	var is_so: Dictionary[String, bool] = {
-		"free": gap > -_off,
-		"too close": gap < _off and _distance > -_off,
-		"behind": _distance < _off,
+		"line": true,
+		"d": true,
+		"r": has_gap and _mistake == 0,
+		"free": has_gap and gap > -_off,
+		"touching": has_gap and absf(gap) <= _off,
+		"too close": has_gap and gap < _off and _distance > -_off,
+		"behind": has_gap and _distance < _off,
+		"as if here": is_compared and is_finite(_wrong),
 	}
+	var wanted: Dictionary[String, float] = {}
+	if has_gap and _mistake == 0:
+		wanted["gap "] = gap
+	if step == _SEGMENT and _is_beside_end(1e-9):
+		wanted["segment "] = _to_segment
+	if is_compared:
+		wanted["right "] = _distance
+		wanted["wrong "] = _wrong
 	for label in labels:
-		if is_so.has(label) and not is_so[label]:
-			return "the ball is called “%s”" % label
-	var wanted: Dictionary[String, float] = {
-		"gap ": gap, "segment ": _to_segment, "right ": _distance, "wrong ": _wrong
-	}
-	return _false_number(labels, wanted)
+		var begins := func(words: String) -> bool: return label.begins_with(words)
+		if not is_so.get(label, wanted.keys().any(begins)):
+			return "the board says “%s”" % label
+	return false_number(labels, wanted, _off)
 
 
-# The first number behind one of the words that is not the wanted one.
-func _false_number(texts: PackedStringArray, wanted: Dictionary[String, float]) -> String:
-	for text in texts:
-		for words in wanted:
-			var shown := SeenLesson.number_behind(words, text)
-			if not is_nan(shown) and not SeenLesson.is_close(shown, wanted[words], _off):
-				return "it is %s: “%s”" % [wanted[words], text]
+# What a step introduces is not shown before it.
+func _problem_of_time(seen: SeenLesson) -> String:
+	if seen.rows and seen.step < _DISTANCE:
+		return "the table comes before the distance"
+	if seen.verdict and seen.step < _GAP:
+		return "the card comes before the gap"
+	for line in seen.lines:
+		if line.contains("wrong:") and (_mistake == 0 or seen.step < _DISTANCE):
+			return "no wrong distance is shown yet: “%s”" % line
 	return ""

@@ -126,7 +126,7 @@ func test_steps_build_the_formula_up_and_back() -> void:
 	for left: int in [6, 5, 4, 3]:
 		await student.press(&"lab_previous_step")
 		assert_eq(formula_lines().size(), left)
-	assert_reads("d leads from p, a point of the line")
+	assert_reads("d leads from p, a point on the line")
 	await student.press(&"lab_next_step")
 	assert_eq(formula_lines().size(), 4)
 
@@ -187,6 +187,23 @@ func test_each_mistake_shows_its_wrong_distance_beside_the_right_one() -> void:
 		assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [true, true, true])
 	await pick_mistake("No mistake")
 	assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [false, false, false])
+
+
+func test_a_mistake_picked_at_the_first_step_leads_to_the_step_of_the_distance() -> void:
+	await go_to_step(0)
+	await pick_mistake("Mistake 9")
+	assert_eq(frame().lesson.step, LineDistanceTexts.Step.DISTANCE)
+	assert_reads("Compare the distance of the mistake")
+	await go_to_step(LineDistanceTexts.Step.NORMAL)
+	assert_eq(seen(["%WrongBall", "%WrongWay", "%RightWay"]), [false, false, false])
+	assert_false(formula_lines()[-1].begins_with("wrong"), formula_lines()[-1])
+
+
+func test_a_ball_that_just_touches_is_neither_free_nor_too_close() -> void:
+	await student.enter(field("x of the ball's centre"), "78")
+	await student.enter(field("y of the ball's centre"), "21")
+	assert_reads("It just touches the line: gap 0 px")
+	assert_eq((frame().lesson.get_node("%JudgedBall") as BallView).label, "touching")
 
 
 func test_the_mistake_of_measuring_straight_up_survives_a_vertical_line() -> void:

@@ -15,9 +15,9 @@ func before_each() -> void:
 
 func test_at_the_start_each_field_says_what_happens_in_it() -> void:
 	assert_eq(_words("InfiniteOneSided"), "passes through from behind")
-	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.198")
-	assert_eq(_words("SegmentOneSided"), "misses the line, cuts through its end")
-	assert_eq(_words("SegmentTwoSided"), "misses the line, cuts through its end")
+	assert_eq(_words("InfiniteTwoSided"), "bounces in the air, t = 0.1975")
+	assert_eq(_words("SegmentOneSided"), "finds no hit, cuts through the end")
+	assert_eq(_words("SegmentTwoSided"), "finds no hit, cuts through the end")
 	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
 
 
@@ -141,6 +141,76 @@ func test_the_normal_is_asked_for_before_the_bounce() -> void:
 	await click_button("perpendicular to the line")
 	assert_reads("it is from the end to the ball's centre")
 	assert_has(_formula_lines(), "n = (P + t₁ v − A) / r = (−0.8, −0.6)")
+
+
+func test_what_becomes_of_the_ball_is_hidden_with_the_answers() -> void:
+	await student.press(&"lab_hide_answers")
+	for part: String in ["Ball", "Flight", "ImpactBall", "Words"]:
+		for field_name: String in _SMALL_FIELDS:
+			var drawn := _field(field_name).get_node("%" + part) as CanvasItem
+			assert_eq(drawn.modulate.a, 0.0, "%s in %s" % [part, field_name])
+	assert_eq((frame().lesson.find_child("Graph") as CanvasItem).modulate.a, 0.0)
+	assert_eq(_part("Normal").modulate.a, 0.0)
+	assert_eq(_part("StartBall").modulate.a, 1.0)
+
+
+func test_before_its_step_the_ball_stops_where_it_touches_the_end() -> void:
+	for step: int in [LineEndsTexts.Step.CAP, LineEndsTexts.Step.ROOTS]:
+		await go_to_step(step)
+		assert_eq(_ball_place("RoundCaps"), str(Vec2.new(-3, 0)), "the touch, at t = 0.5")
+	assert_eq(_words("RoundCaps"), "touches the end, t = 0.5")
+	await go_to_step(LineEndsTexts.Step.CAP)
+	assert_eq(_words("RoundCaps"), "touches the end")
+	await go_to_step(LineEndsTexts.Step.BOUNCE)
+	assert_eq(_words("RoundCaps"), "bounces on the end, t = 0.5")
+	assert_ne(_ball_place("RoundCaps"), str(Vec2.new(-3, 0)))
+
+
+func test_the_roots_are_marked_with_their_step() -> void:
+	for step: int in [LineEndsTexts.Step.QUADRATIC, LineEndsTexts.Step.ROOTS]:
+		await go_to_step(step)
+		var graph := frame().lesson.find_child("Graph") as CapGraph
+		assert_eq(graph.shows_roots, step == LineEndsTexts.Step.ROOTS)
+
+
+func test_whether_it_touches_an_end_is_asked_only_where_it_is_one_of_both() -> void:
+	for preset: String in ["Middle", "Good side"]:
+		await click_button(preset)
+		await go_to_step(LineEndsTexts.Step.SEGMENT)
+		await student.press(&"lab_next_step")
+		assert_eq(frame().lesson.step, LineEndsTexts.Step.CAP, preset)
+	await student.press(&"lab_reset")
+	await click_button("Miss")
+	await go_to_step(LineEndsTexts.Step.SEGMENT)
+	await student.press(&"lab_next_step")
+	assert_eq(frame().lesson.step, LineEndsTexts.Step.SEGMENT)
+	await click_button("it passes")
+	assert_reads("Right")
+
+
+func test_the_last_step_speaks_of_this_ball() -> void:
+	for case: Array in [
+		["Middle", "This ball bounces on the line"],
+		["Miss", "This ball touches neither the line nor an end"],
+		["Head-on", "n points from the end"],
+	]:
+		await click_button(str(case[0]))
+		assert_reads(str(case[1]))
+
+
+func test_a_ball_that_only_grazes_an_end_has_no_root_that_counts() -> void:
+	await student.enter(_number_field("x of the ball's centre"), "-8")
+	await student.enter(_number_field("y of the ball's centre"), "3")
+	await student.enter(_number_field("x of v"), "16")
+	await student.enter(_number_field("y of v"), "0")
+	await student.enter(_number_field("radius"), "3")
+	await student.enter(_number_field("x of B"), "0")
+	await student.enter(_number_field("y of B"), "-6")
+	await student.enter(_number_field("x of A"), "0")
+	await student.enter(_number_field("y of A"), "0")
+	await go_to_step(LineEndsTexts.Step.ROOTS)
+	assert_eq(_words("RoundCaps"), "passes beside")
+	assert_string_contains(_formula_lines()[-1], "it only grazes: none")
 
 
 func test_a_ball_that_overlaps_the_end_takes_its_normal_at_the_start() -> void:

@@ -126,8 +126,68 @@ func test_a_zero_vector_has_no_angle() -> void:
 	for i: int in 3:
 		await student.enter(_field("Component %d of a" % (i + 1)), "0")
 	assert_reads("a zero vector makes no angle")
-	assert_does_not_read("cos α =")
+	assert_does_not_read("cos α")
 	assert_false((frame().lesson.get_node("%Picture/Shadow") as CanvasItem).visible)
+
+
+func test_the_table_comes_with_the_angle() -> void:
+	assert_reads("cos α")
+	await go_to_step(MoreDimensionsTexts.Step.SIGN)
+	assert_does_not_read("cos α")
+
+
+func test_at_the_opening_the_axes_turn_and_no_number_changes() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"more_dimensions"))
+	OpeningMotion.is_allowed = false
+	var first := _numbers("view")[0]
+	for i: int in 40:
+		await get_tree().process_frame
+	assert_gt(_numbers("view")[0], first + 0.1)
+	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+
+
+func test_hidden_answers_hide_the_angle_everywhere() -> void:
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "a · b ? 0:  ?")
+	assert_has(_formula_lines(), "α = ?°")
+	for part: String in ["%Arc", "%Shadow", "%Stairs", "%VerdictCard"]:
+		var shown := frame().lesson.get_node(part) as CanvasItem
+		assert_eq([shown.visible, shown.modulate.a], [true, 0.0], part)
+	await student.press(&"lab_hide_answers")
+	assert_has(_formula_lines(), "α = 43.16°")
+
+
+func test_the_arc_of_the_angle_goes_from_one_vector_to_the_other() -> void:
+	var arc := frame().lesson.get_node("%Arc") as Line2D
+	var from := frame().lesson.get_node("%ArrowOfA") as Arrow
+	var to := frame().lesson.get_node("%ArrowOfB") as Arrow
+	assert_lt(absf(arc.points[0].angle_to(from.head)), 1e-3)
+	assert_lt(absf(arc.points[-1].angle_to(to.head)), 1e-3)
+	await go_to_step(MoreDimensionsTexts.Step.SIGN)
+	assert_false(arc.visible)
+
+
+# The arc cosine would make 8.5e-7 degrees of them.
+func test_parallel_vectors_make_no_angle_or_180_degrees() -> void:
+	for i: int in 3:
+		await student.enter(_field("Component %d of a" % (i + 1)), str(i + 3))
+		await student.enter(_field("Component %d of b" % (i + 1)), str(2 * i + 6))
+	assert_has(_formula_lines(), "α = 0°")
+	for i: int in 3:
+		await student.enter(_field("Component %d of b" % (i + 1)), str(-2 * i - 6))
+	assert_has(_formula_lines(), "α = 180°")
+
+
+func test_the_products_are_added_up_with_the_step_that_adds_them() -> void:
+	var stairs := _part("Stairs") as ProductStairs
+	await go_to_step(MoreDimensionsTexts.Step.PRODUCTS)
+	assert_eq([stairs.accessibility_name, stairs.spanned()], ["The products", Vector2(-2, 12)])
+	await go_to_step(MoreDimensionsTexts.Step.SUM)
+	assert_eq(
+		[stairs.accessibility_name, stairs.spanned()], ["The products added up", Vector2(0, 20)]
+	)
 
 
 func test_an_angle_just_below_90_degrees_is_not_shown_as_90() -> void:

@@ -18,9 +18,12 @@ func problem(seen: SeenLesson) -> String:
 		false_claim([seen.sentence], _claims_of_sentences(seen.step)),
 		false_claim(seen.verdict, _claims_of_card()),
 		_problem_of_sign(seen.verdict_sign),
+		_problem_of_order(seen),
 		_problem_of_card_numbers(seen.verdict),
 		_problem_of_rows(seen.rows),
+		false_label(seen.labels, _claims_of_labels(seen)),
 		_problem_of_labels(seen.labels),
+		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
 	]:
 		if found:
 			return found
@@ -74,12 +77,17 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 		"(y, −x) is the opposite normal": is_plain and step == 2,
 		"Divide n by its length": is_plain and step == 3,
 		"One pixel is too short to see": is_plain and step == 4,
-		"v is zero": is_zero,
+		"v is zero: a point has no direction": is_zero and step == 0,
+		"v is zero: (−y, x) is (0, 0), which is no normal": is_zero and step == 1,
+		"v is zero: (y, −x) is (0, 0), too": is_zero and step == 2,
+		"v is zero: never divide by its length": is_zero and step == 3,
+		"v is zero: there is no n̂ to draw": is_zero and step == 4,
 		"Mistake 9 is on": _mistake == 9,
-		"Mistake 6 is on. Only a zero v shows it": _mistake == 6 and not _is_zero(),
+		"Mistake 6 is on. It shows only if v is zero": _mistake == 6 and not _is_zero(),
 		"Mistake 6 is on: it divides by a length of 0": _mistake == 6 and _is_zero(),
 		"Mistake 7 is on: int() cuts the length to 0": _mistake == 7 and _can_show(),
-		"Mistake 7 is on. Only a v shorter than 1": _mistake == 7 and _can_hide(),
+		"Mistake 7 is on. It shows only if v is shorter than 1, but not zero":
+		_mistake == 7 and _can_hide(),
 	}
 
 
@@ -156,11 +164,36 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 	return ""
 
 
+# The card comes with the normal, the table with the unit normal; a mistake is beside the steps.
+func _problem_of_order(seen: SeenLesson) -> String:
+	if seen.verdict.is_empty() != (seen.step < 1 and _mistake == 0):
+		return "the card is for later than step %d, or missing" % (seen.step + 1)
+	if seen.rows.is_empty() != (seen.step < 3):
+		return "the table is for later than step %d, or missing" % (seen.step + 1)
+	return ""
+
+
+func _claims_of_labels(seen: SeenLesson) -> Dictionary[String, bool]:
+	var is_plain := _mistake == 0 and not _is_zero()
+	var is_about_unit := _mistake in [6, 7] and not _is_zero()
+	var claims: Dictionary[String, bool] = {
+		"v": true,
+		"n": not _is_zero() and (_mistake != 0 or seen.step >= 1),
+		"−n": is_plain and seen.step >= 2,
+		"n̂": is_about_unit or is_plain and seen.step >= 3,
+		"✗ (y, x)": _mistake == 9 and not _is_zero(),
+		"✗ (y, −x)": _mistake == 9 and not _is_zero(),
+		"✗ (0, 0)": _mistake == 7 and _can_show(),
+	}
+	for label in seen.labels:
+		if label.ends_with(" n̂"):
+			claims[label] = is_plain and seen.step == 4
+	return claims
+
+
 func _problem_of_labels(labels: PackedStringArray) -> String:
 	for label in labels:
 		var times := SeenLesson.first_number(label)
 		if label.ends_with(" n̂") and not SeenLesson.is_close(times, _times, 0.0):
 			return "it is drawn %s times: “%s”" % [_times, label]
-		if label.contains("✗") and not _can_show():
-			return "no mistake shows: “%s”" % label
 	return ""

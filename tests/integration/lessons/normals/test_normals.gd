@@ -231,7 +231,7 @@ func test_a_mistake_that_does_not_show_is_told_so() -> void:
 		await student.enter(field("x of v"), "3")
 		await student.enter(field("y of v"), "-4")
 		assert_reads("Here the mistake\ndoes not show")
-		assert_reads("Mistake %d is on. Only a" % number)
+		assert_reads("Mistake %d is on. It shows only if" % number)
 		assert_does_not_read("wrong:")
 		assert_eq(seen(["%WrongUnit"]), [false] as Array[bool])
 

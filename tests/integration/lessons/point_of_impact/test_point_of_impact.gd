@@ -125,6 +125,10 @@ func test_old_and_new_at_the_same_place_divide_nothing() -> void:
 	await student.enter(field("y of the new position"), "-58")
 	assert_reads("v = 0: no t")
 	assert_reads("it does not move")
+	await go_to_step(0)
+	assert_reads("Old and new are the same point")
+	assert_eq(seen(["%Ghost"]), [false])
+	await go_to_step()
 	assert_has(formula_lines(), "t: none, b is 0")
 
 
@@ -205,6 +209,16 @@ func test_a_mistake_that_no_speed_of_the_course_shows_brings_a_frame_that_does()
 	await click_button("10 px")
 	await pick_mistake("Mistake 16")
 	assert_eq(formula_lines()[-1], "wrong: (|50| − 10) / (|50| − |(−30)|) = 2")
+
+
+func test_a_mistake_picked_at_the_first_step_leads_to_the_step_of_t() -> void:
+	await go_to_step(0)
+	await pick_mistake("Mistake 15")
+	assert_eq(frame().lesson.step, PointOfImpactTexts.Step.FRACTION)
+	assert_reads("Compare the t of the mistake")
+	await go_to_step(PointOfImpactTexts.Step.WAYS)
+	assert_eq(seen(["%Verdict", "%Wrong"]), [false, false])
+	assert_eq(formula_lines()[-1], "a = 50 − 10 = 40     b = 50 − (−30) = 80")
 
 
 func test_the_ghost_shows_a_moment_of_the_frame() -> void:

@@ -48,7 +48,7 @@ func test_the_second_step_turns_the_drawing() -> void:
 func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	await _go_to_first_step()
 	var lines: PackedStringArray = [
-		"β = atan2((−6), 8) = −36.87°",
+		"β = atan2(−6, 8) = −36.87°",
 		"a′ = (5, 5)     b′ = (10, 0)",
 		"signed length of p = a′.x = 5",
 		"a′.x = 7·cos(−β) − 1·sin(−β)",
@@ -100,6 +100,20 @@ func test_what_is_seen_turned_can_be_dragged_turned() -> void:
 	assert_vec2(_vector("a"), Vec2.new(8, -6), 1e-9)
 
 
+func test_a_head_behind_the_graph_can_be_taken() -> void:
+	var numbers: Dictionary[String, String] = {
+		"x of a": "3", "y of a": "-5", "x of b": "-6", "y of b": "2"
+	}
+	for title: String in numbers:
+		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
+	await _finish_turning()
+	var head := frame().lesson.get_node("%HeadTurnedA") as Control
+	var plot := frame().lesson.get_node("%Plot") as Control
+	assert_true(plot.get_global_rect().intersects(head.get_global_rect()), "it is behind it")
+	await _drag(Vec2.new(-4.4272, 3.7947), Vec2.new(-4.4272, 0.0))
+	assert_almost_eq(_vector("a").cross(_vector("b")), 0.0, 1e-3)
+
+
 func test_arrow_keys_nudge_the_head_that_has_the_focus() -> void:
 	Screen.named(screen(), "Head of b").grab_focus()
 	await student.press(&"ui_left")
@@ -134,11 +148,46 @@ func test_sides_that_differ_show_their_difference_in_units_in_the_last_place() -
 	assert_has(_lines(), "a′.x − a · b̂ = 0 (rounding: 4.4e−16)")
 
 
+func test_neighbours_at_a_power_of_2_are_one_unit_apart() -> void:
+	await _drag(Vec2.new(8, -6), Vec2.new(0, 5))
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "-5")
+	await student.enter(Screen.named(screen(), "y of a") as LineEdit, "2")
+	assert_reads("a′.x = 1.9999999999999998\na · b\u0302 = 2\n1 unit in the last place apart")
+
+
 func test_a_zero_b_is_explained_and_loses_nothing() -> void:
 	await click_button("Zero")
 	assert_reads("b is zero: no direction, no shadow")
 	await click_button("Lecture")
 	assert_reads("equal to the last bit")
+
+
+func test_without_a_direction_nothing_is_drawn_or_compared() -> void:
+	await click_button("Zero")
+	assert_false((frame().lesson.services[&"readout"] as Control).is_visible_in_tree())
+	for step: int in ProjectionProofTexts.Step.size():
+		await go_to_step(step)
+		for part: String in ["%XOfA", "%XOfB", "%TurnedP", "%Plot"]:
+			assert_false((frame().lesson.get_node(part) as CanvasItem).visible, part)
+
+
+func test_near_a_right_angle_only_rounding_is_said_to_be_rounding() -> void:
+	var numbers: Dictionary[String, String] = {
+		"x of a": "1", "y of a": "3", "x of b": "-3", "y of b": "1"
+	}
+	for title: String in numbers:
+		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
+	assert_reads("Both mean 0: only rounding is left")
+	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "1.000000001")
+	assert_does_not_read("Both mean 0")
+	assert_reads("1.074e9 units in the last place apart")
+
+
+func test_the_shadow_is_not_asked_for_where_another_choice_is_as_long() -> void:
+	await student.enter(Screen.named(screen(), "y of b") as LineEdit, "0")
+	await go_to_step(ProjectionProofTexts.Step.TURN)
+	await student.press(&"lab_next_step")
+	assert_eq(frame().lesson.step, ProjectionProofTexts.Step.READ_OFF)
 
 
 func test_the_turn_is_asked_for_before_it_is_shown() -> void:
@@ -150,7 +199,7 @@ func test_the_turn_is_asked_for_before_it_is_shown() -> void:
 	assert_reads("Exactly.")
 	await _finish_turning()
 	await student.press(&"lab_next_step")
-	await click_button("the y of a′")
+	await click_button("the x of a")
 	assert_reads("it is the x of a′")
 
 

@@ -207,6 +207,49 @@ func test_the_reflection_is_asked_for_before_it_is_shown() -> void:
 	assert_true(_is_drawn("%Leaving"))
 
 
+func test_the_shot_is_played_once_on_opening_and_then_the_first_step_waits() -> void:
+	screen().free()
+	OpeningMotion.is_allowed = true
+	await open_lesson(LessonIndex.find(&"reflection"))
+	OpeningMotion.is_allowed = false
+	var play := Callable(frame().lesson, &"_play_shot")
+	for seconds: float in [0.0, 0.6, 1.2, 1.8, 2.7, 2.9, 10.0]:
+		play.call(seconds)
+		var time := _model().time
+		var is_over := seconds > ReflectionModel.END - ReflectionModel.START
+		assert_almost_eq(time, ReflectionModel.START + (0.0 if is_over else seconds), 1e-12)
+		var wanted := Vector2(3, 4 if time < 0.0 else -4) * time
+		assert_almost_eq(_ball(), wanted, Vector2(1e-6, 1e-6), "after %s s" % seconds)
+	await get_tree().process_frame
+	var started := _model().time
+	await get_tree().process_frame
+	assert_gt(_model().time, started, "it moves by itself")
+	await student.press(&"lab_hide_answers")
+	var stopped := _model().time
+	await get_tree().process_frame
+	assert_eq(_model().time, stopped, "until something is pressed")
+	assert_eq(_step(), ReflectionModel.Step.MEET)
+
+
+func test_a_ball_head_on_is_said_to_stop_and_nothing_is_asked() -> void:
+	await click_button("Head on")
+	await go_to_step(ReflectionModel.Step.SPLIT)
+	await student.press(&"lab_next_step")
+	assert_reads("nothing is left of v. The ball stops.")
+	assert_reads("and it stops")
+	assert_false(_is_drawn("%Slide"))
+
+
+func test_a_mistake_that_changes_nothing_here_is_not_said_to_be_wrong() -> void:
+	await _pick_mistake(3)
+	await _enter("bounciness C, 0 to 1", "1")
+	assert_reads("the mistake changes nothing here")
+	assert_false(_is_drawn("%Wrong"))
+	await _enter("bounciness C, 0 to 1", "0.25")
+	assert_reads("the mistake says: (0.75, −4)")
+	assert_true(_is_drawn("%Wrong"))
+
+
 func test_a_ball_at_rest_makes_no_angle() -> void:
 	await _enter("x of v", "0")
 	await _enter("y of v", "0")

@@ -303,7 +303,7 @@ func test_every_question_tells_its_mistakes_apart() -> void:
 	var unclear: PackedStringArray = []
 	for kind: int in SteppingExercise.Kind.size():
 		for question: int in 500:
-			var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
+			var exercise := Exercise.drawn(SteppingExercise.fresh, kind, rng)
 			if not exercise.tells_mistakes_apart():
 				unclear.append(exercise.prompt)
 	assert_eq(unclear, PackedStringArray())
@@ -313,10 +313,23 @@ func test_wrong_answers_are_named() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 13
 	for kind: int in SteppingExercise.Kind.size():
-		var exercise := SteppingExercise.fresh(kind as SteppingExercise.Kind, rng)
+		var exercise := Exercise.drawn(SteppingExercise.fresh, kind, rng)
 		assert_gt(exercise.mistakes.size(), 0)
 		for mistake: Exercise.Mistake in exercise.mistakes:
 			assert_eq(exercise.check(mistake.answer).sentence, mistake.sentence)
+
+
+func test_a_mistake_is_named_whichever_way_is_positive() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 15
+	for kind: int in [SteppingExercise.Kind.REST, SteppingExercise.Kind.GRAVITY]:
+		for question: int in 50:
+			var exercise := Exercise.drawn(SteppingExercise.fresh, kind, rng)
+			for mistake: Exercise.Mistake in exercise.mistakes:
+				var sentence := exercise.check([-mistake.answer[0]]).sentence
+				assert_false(sentence.contains("is not it yet"), exercise.prompt + sentence)
+			var upside_down := exercise.check([-exercise.right_answer[0]]).sentence
+			assert_false(upside_down.contains("is not it yet"), exercise.prompt + upside_down)
 
 
 func _row_after(

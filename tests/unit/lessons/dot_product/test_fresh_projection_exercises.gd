@@ -13,7 +13,7 @@ func before_all() -> void:
 	for kind: ProjectionExercise.Kind in ProjectionExercise.Kind.values():
 		_exercises[kind] = []
 		for i: int in _COUNT:
-			_exercises[kind].append(ProjectionExercise.fresh(kind, rng))
+			_exercises[kind].append(Exercise.drawn(ProjectionExercise.fresh, kind, rng))
 
 
 func test_the_right_answer_is_that_of_school_geometry() -> void:

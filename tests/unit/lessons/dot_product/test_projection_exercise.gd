@@ -3,6 +3,7 @@ extends LabTest
 ## |b| = 10.
 
 const _DOT: Dictionary[float, String] = {
+	-62.0: "The products are added, not subtracted: ax bx + ay by.",
 	62.0: "The products are added, not subtracted: ax bx + ay by.",
 	-34.0: "x goes with x, and y with y: ax bx + ay by.",
 	5.0: "That is the scalar projection: a · b is not divided by |b|.",
@@ -11,6 +12,7 @@ const _SCALAR: Dictionary[float, String] = {
 	50.0: "b was not normalized: that is |b| = 10 times too big.",
 	0.5: "Divided by |b| twice: a · b / |b| is enough for the scalar.",
 	7.07: "That is b on a: a · b\u0302 is not b · â.",
+	-50.0: "The sign is wrong, and b was not normalized.",
 	-5.0: "The sign is wrong: negative beyond 90 degrees, positive below.",
 }
 
@@ -45,6 +47,7 @@ func test_the_length_of_a_and_the_distance_are_no_scalar_projection() -> void:
 	var distance := "That is the distance from the line: the rest, not the shadow."
 	assert_eq(exercise.check([2.236]).sentence, length)
 	assert_eq(exercise.check([1.0]).sentence, distance)
+	assert_eq(exercise.check([-1.0]).sentence, distance)
 
 
 func test_the_determinant_and_the_wrong_sign_are_no_dot_product() -> void:
@@ -52,6 +55,7 @@ func test_the_determinant_and_the_wrong_sign_are_no_dot_product() -> void:
 	var determinant := "That is the determinant ax by − ay bx, not the dot product."
 	var wrong_sign := "The sign is wrong: unlike signs make a product negative."
 	assert_eq(exercise.check([5.0]).sentence, determinant)
+	assert_string_contains(exercise.check([-5.0]).sentence, "determinant ay bx − ax by")
 	assert_eq(exercise.check([-10.0]).sentence, wrong_sign)
 
 
@@ -62,6 +66,7 @@ func test_each_known_mistake_of_the_vector_projection_is_named() -> void:
 		PackedFloat64Array([40.0, -30.0]): "b was not normalized: that is |b| = 10 times too big.",
 		PackedFloat64Array([7.0, 1.0]): "That is b on a: p must be parallel to b.",
 		PackedFloat64Array([3.0, 4.0]): "That is the rest a − p: it is perpendicular to b.",
+		PackedFloat64Array([-3.0, -4.0]): "That is p − a: it is perpendicular to b.",
 		PackedFloat64Array([-4.0, 3.0]): "p points the other way: mind the sign of a · b.",
 	}
 	for answer: PackedFloat64Array in sentences:

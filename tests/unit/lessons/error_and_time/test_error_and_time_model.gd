@@ -99,6 +99,14 @@ func test_the_order_is_the_power_of_the_run_time_in_the_error() -> void:
 		assert_almost_eq(ErrorAndTimeModel.order(other, one), 1.0 * order, 1e-3)
 
 
+func test_a_measurement_with_an_order_is_one_whose_error_falls_with_more_time() -> void:
+	assert_eq(ErrorAndTimeModel.place_with_order([]), -1)
+	var grows: Array[Measurement] = [_measured("a", 1.0, 1.0), _measured("a", 2.0, 3.0)]
+	assert_eq(ErrorAndTimeModel.place_with_order(grows), -1)
+	var falls: Array[Measurement] = [_measured("b", 1.0, 4.0), _measured("b", 2.0, 1.0)]
+	assert_eq(ErrorAndTimeModel.place_with_order(grows + falls), 2)
+
+
 func test_the_order_fits_the_ratios_as_they_are_shown() -> void:
 	var one := _measured("a", 100.0, 3.0)
 	var other := _measured("a", 101.2345, 1.0)

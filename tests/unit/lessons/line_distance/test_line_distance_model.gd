@@ -159,3 +159,43 @@ func test_fresh_questions_have_short_answers() -> void:
 		errors.append(absf(tenths - roundf(tenths)))
 		assert_true(exercise.check(exercise.right_answer).is_right)
 	assert_all_at_most(errors, 1e-9)
+
+
+func test_a_way_that_is_not_the_perpendicular_is_named_with_either_sign() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 93
+	for i: int in 200:
+		var kind := (i % LineDistanceExercise.Kind.size()) as LineDistanceExercise.Kind
+		var exercise := (
+			Exercise.drawn(LineDistanceExercise.fresh, kind, rng) as LineDistanceExercise
+		)
+		var less := exercise.ball.radius if kind == LineDistanceExercise.Kind.GAP else 0.0
+		var centre := exercise.ball.position
+		var up := LineDistanceMistakes.point_straight_below(centre, exercise.line).y - centre.y
+		var way := LineDistance.difference(centre, exercise.line)
+		for side: float in [1.0, -1.0]:
+			assert_string_contains(exercise.check([side * up - less]).sentence, "straight up")
+			assert_string_contains(exercise.check([side * way.length() - less]).sentence, "|d|")
+
+
+func test_the_question_on_the_gap_asks_for_free_balls_too() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 94
+	var free := 0
+	for i: int in 200:
+		var exercise := Exercise.drawn(
+			LineDistanceExercise.fresh, LineDistanceExercise.Kind.GAP, rng
+		)
+		free += 1 if exercise.right_answer[0] > 0.0 else 0
+	assert_between(free, 40, 160)
+
+
+func test_what_rounding_leaves_of_a_distance_or_a_gap_is_0() -> void:
+	for place: Vec2 in random_vectors(95, 100, 400.0):
+		model.ball.position = model.line.start.lerped(model.line.end, place.x / 400.0)
+		assert_true(model.is_on_line(), "on the line")
+		assert_false(model.is_behind())
+		model.ball.position.add(model.line.normal().scaled(model.ball.radius))
+		assert_true(model.is_touching(), "touching")
+		assert_false(model.is_overlapping())
+		assert_eq(LineDistanceTexts.right_choice(model), -1)

@@ -69,7 +69,18 @@ func test_parallel_vectors_make_no_angle_beyond_the_cosines_range() -> void:
 	var model := MoreDimensionsModel.new()
 	model.a = [0.1, 0.2, 0.3, 0.0]
 	model.b = [0.3, 0.6, 0.9, 0.0]
-	assert_almost_eq(model.angle_degrees(), 0.0, 1e-5)
+	assert_eq(model.angle_degrees(), 0.0)
+
+
+# Of 6.7e-8 degrees the arc cosine of a double knows nothing.
+func test_a_tiny_angle_keeps_its_digits() -> void:
+	var model := MoreDimensionsModel.new()
+	model.a = [1000.0, 0.0, 0.0, 0.0]
+	for tiny: float in [1e-6, -1e-6]:
+		model.b = [signf(tiny) * 1000.0, tiny, 0.0, 0.0]
+		var degrees := rad_to_deg(1e-9)
+		var shown := model.angle_degrees() if tiny > 0.0 else 180.0 - model.angle_degrees()
+		assert_almost_eq(shown, degrees, 1e-13)
 
 
 func test_a_zero_vector_makes_no_angle() -> void:

@@ -10,12 +10,14 @@ func test_a_normal_is_minus_y_and_x() -> void:
 	assert_string_contains(exercise.check([1.0, -3.0]).sentence, "opposite normal")
 	assert_string_contains(exercise.check([1.0, 3.0]).sentence, "no right angle")
 	assert_string_contains(exercise.check([-3.0, -1.0]).sentence, "180°")
+	assert_string_contains(exercise.check([3.0, 1.0]).sentence, "along v")
 
 
 func test_a_unit_normal_that_was_not_divided_is_named_with_its_length() -> void:
 	var exercise := NormalExercise.new(NormalExercise.Kind.UNIT, Vec2.new(3.0, -4.0))
 	assert_true(exercise.check([0.8, 0.6]).is_right)
 	assert_string_contains(exercise.check([4.0, 3.0]).sentence, "5 times too long")
+	assert_string_contains(exercise.check([-4.0, -3.0]).sentence, "5 times too long")
 	assert_string_contains(exercise.check([0.6, -0.8]).sentence, "v with length 1")
 	assert_string_contains(exercise.check([-0.8, -0.6]).sentence, "opposite normal")
 
@@ -26,6 +28,8 @@ func test_a_scaled_normal_is_first_divided_then_scaled() -> void:
 	assert_string_contains(exercise.check([200.0, 150.0]).sentence, "5 times too long")
 	assert_string_contains(exercise.check([0.8, 0.6]).sentence, "still has to be scaled")
 	assert_string_contains(exercise.check([4.0, 3.0]).sentence, "first divide")
+	assert_string_contains(exercise.check([-0.8, -0.6]).sentence, "still has to be scaled")
+	assert_string_contains(exercise.check([30.0, -40.0]).sentence, "along v")
 
 
 func test_fresh_answers_are_perpendicular_and_of_the_wanted_length() -> void:
@@ -62,5 +66,5 @@ func _fresh(kind: NormalExercise.Kind) -> Array[NormalExercise]:
 	rng.seed = 21
 	var exercises: Array[NormalExercise] = []
 	for i: int in _FRESH:
-		exercises.append(NormalExercise.fresh(kind, rng))
+		exercises.append(Exercise.drawn(NormalExercise.fresh, kind, rng) as NormalExercise)
 	return exercises

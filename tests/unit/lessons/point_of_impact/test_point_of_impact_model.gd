@@ -202,3 +202,51 @@ func test_fresh_questions_have_short_answers_and_end_behind_the_line() -> void:
 func _move(old: Vec2, new: Vec2) -> void:
 	model.old_position = old
 	model.new_position = new
+
+
+func test_a_mistake_is_named_without_its_minus_too() -> void:
+	var exercise := PointOfImpactExercise.new(PointOfImpactExercise.Kind.FRACTION, 42, -38, 10, 0)
+	assert_true(exercise.check([0.4]).is_right)
+	assert_string_contains(exercise.check([0.842]).sentence, "b is old − new")
+	assert_string_contains(exercise.check([0.6]).sentence, "counts from old")
+	assert_string_contains(exercise.check([-0.4]).sentence, "not new − old")
+	assert_string_contains(exercise.check([0.65]).sentence, "radius is subtracted")
+
+
+# 30 pixels along the normal, 40 along the line: each distance is off by rounding.
+func test_what_rounding_leaves_of_a_distance_decides_no_case() -> void:
+	var normal := model.line.normal()
+	var along := model.line.along().normalized()
+	for place: Vec2 in random_vectors(103, 100, 200.0):
+		var touching := model.line.start.plus(along.scaled(place.x)).plus(normal.scaled(10.0))
+		_move(touching, touching.plus(along.scaled(place.y)))
+		assert_eq(model.frame_case(), PointOfImpactModel.Case.PARALLEL)
+		_move(touching, touching.plus(along.scaled(place.y)).minus(normal.scaled(30.0)))
+		assert_eq(model.frame_case(), PointOfImpactModel.Case.IN_FRAME)
+		assert_eq(model.fraction(), 0.0)
+		_move(touching.plus(along.scaled(place.y)).plus(normal.scaled(30.0)), touching)
+		assert_eq(model.frame_case(), PointOfImpactModel.Case.IN_FRAME)
+		assert_eq(model.fraction(), 1.0)
+		assert_vec2(model.impact_position(), touching, 1e-12)
+
+
+func test_a_ball_that_flies_straight_at_the_line_is_reset_to_where_it_touches() -> void:
+	var normal := model.line.normal()
+	_move(normal.scaled(50.0), normal.scaled(-30.0))
+	assert_true(model.is_reset_at_impact())
+	assert_string_contains(PointOfImpactTexts.sentences(model)[4], "the same place")
+
+
+func test_t_is_told_only_where_it_counts() -> void:
+	var words: Dictionary[String, String] = {
+		"Course": "within 0..1",
+		"Not yet": "after this frame",
+		"Inside": "before this frame",
+		"Away": "moves away, and t does not count",
+		"Leaving": "moves away, and t does not count",
+		"Along": "so there is no t",
+	}
+	for preset in words:
+		assert_no_refusal(model.take(PointOfImpactModel.PRESETS[preset]))
+		var sentence := PointOfImpactTexts.sentences(model)[PointOfImpactTexts.Step.FRACTION]
+		assert_string_contains(sentence, words[preset])

@@ -40,6 +40,19 @@ func test_a_ball_that_moves_away_is_left_alone() -> void:
 	assert_string_contains(exercise.check([3.0, 4.0]).sentence, "would stick")
 
 
+func test_level_and_upright_lines_are_asked_for_too() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 182
+	for kind: int in ReflectionExercise.Kind.values():
+		var straight := 0
+		for i: int in 40:
+			var exercise := (
+				Exercise.drawn(ReflectionExercise.fresh, kind, rng) as ReflectionExercise
+			)
+			straight += int(exercise.along.x == 0.0 or exercise.along.y == 0.0)
+		assert_gt(straight, 0, "kind %d" % kind)
+
+
 func test_fresh_questions_have_whole_answers_and_the_right_side() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 181

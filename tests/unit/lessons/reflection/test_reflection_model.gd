@@ -16,7 +16,7 @@ func test_the_steps_subtract_never_once_twice_and_1_plus_c_times() -> void:
 	var times: Array[float] = []
 	for step: int in ReflectionModel.Step.size():
 		times.append(model.times_subtracted(step as ReflectionModel.Step))
-	assert_eq(times, [0.0, 0.0, 1.0, 2.0, 1.25] as Array[float])
+	assert_eq(times, [1.25, 0.0, 1.0, 2.0, 1.25] as Array[float])
 
 
 func test_the_normal_part_of_the_lecture() -> void:
@@ -71,6 +71,14 @@ func test_a_ball_that_stops_has_no_angle_out() -> void:
 	var step := ReflectionModel.Step.SLIDE
 	assert_eq(ReflectionTexts.verdict_sign(model, step), "≠")
 	assert_eq(ReflectionTexts.verdict(model, step)[0], "in 0° to the normal, and it stops")
+
+
+func test_what_rounding_leaves_of_a_ball_head_on_stops() -> void:
+	var velocity := Vec2.new(1.507691997926561, -1.3141022941111606)
+	var model := _model(velocity, Vec2.new(-61.5, -70.56))
+	assert_ne(model.velocity_after(1.0).length(), 0.0, "the numbers leave a rest")
+	var verdict := ReflectionTexts.verdict(model, ReflectionModel.Step.SLIDE)
+	assert_eq(verdict[0], "in 0° to the normal, and it stops")
 
 
 func test_a_normal_that_is_not_unit_is_refused_in_the_words_of_vec2() -> void:

@@ -62,14 +62,14 @@ func test_a_sum_that_is_not_shown_in_numbers_can_be_rounding_too() -> void:
 	var statement := FormulaStatement.new("(a − p) · b = {check}")
 	_put({check = 1.8e-15})
 	_assert_texts(statement, ["1.8e−15"])
-	_numbers["check"].scale = 50.0
+	_numbers["check"].scales = [50.0]
 	_assert_texts(statement, ["0 (rounding: 1.8e−15)"])
 
 
 func test_an_angle_is_computed_in_degrees() -> void:
 	var statement := FormulaStatement.new("β = atan2({y}, {x}) = {beta}°")
 	_put({y = -16.87443648746824, x = 200.0, beta = rad_to_deg(atan2(-16.87443648746824, 200.0))})
-	_assert_texts(statement, ["(−16.874)", "200", "−4.823"])
+	_assert_texts(statement, ["−16.874", "200", "−4.823"])
 
 
 func test_what_is_before_a_colon_are_words() -> void:
@@ -108,6 +108,7 @@ func _put(values: Dictionary) -> void:
 func _number(components: PackedFloat64Array) -> FormulaStatement.Number:
 	var number := FormulaStatement.Number.new()
 	number.components = components
+	number.scales.resize(components.size())
 	return number
 
 
