@@ -25,12 +25,26 @@ const DEEPEST := 1e-8
 ## Energy is kept within this share of the largest energy of the motion.
 const ENERGY := 1e-9
 
+const _SAMPLES := 60
+const _FRAMES_PER_SECOND := 60.0
+const _MOST_IMPACTS := 20_000
+# An elastic ball makes some 200 000 of the lowest hops in a second.
+const _MOST_IMPACTS_PER_SECOND := 300_000
+const _EPSILON := 1.0 / 2.0 ** 52
+
+## What kind of chain it is.
 var kind: Kind
+## The chain.
+var lines: Array[LineSegment] = []
+## Where the ball starts.
 var ball: Ball
+## C.
 var bounciness := 1.0
+## How long the ball is looked at.
 var seconds := 2.0
-# Full precision: Vector4 has single precision.
-var points: Array[LineSegment] = []
+
+# The largest energy of the motion so far, as a scale for what is lost.
+var _scale := 0.0
 
 
 ## The case with this number; the same for the same number.
@@ -42,47 +56,80 @@ static func of(number: int) -> ChainCase:
 	made.bounciness = [1.0, 0.5, 0.0, 0.9, rng.randf()][rng.randi() % 5]
 	made._lay(rng)
 	made._put_ball(rng)
+	if number % 10 == 7:
+		made._move_all(Vec2.random_unit(rng).scaled(10.0 ** rng.randf_range(3.0, 7.0)))
 	return made
 
 
 ## The event world of this case.
 func world() -> EventWorld:
 	var made := EventWorld.new()
+	made.most_impacts_per_second = _MOST_IMPACTS_PER_SECOND
 	Refusal.push(made.set_gravity(Vec2.new(0.0, GRAVITY)))
 	Refusal.push(made.set_bounciness(bounciness))
-	Refusal.push(made.set_segments(points))
+	Refusal.push(made.set_segments(lines))
 	Refusal.push(made.set_balls([ball]))
 	return made
 
 
+## The event world of this case when [member seconds] are over.
+func world_at_end() -> EventWorld:
+	var made := world()
+	Refusal.push(made.advance(seconds))
+	return made
+
+
+## Whether the ball is in no line at the start. What becomes of one that is, is another question.
+func starts_outside() -> bool:
+	return depth(ball.position) <= DEEPEST
+
+
 ## "" or what does not hold in the event world.
-func problem(samples: int = 60) -> String:
+func problem() -> String:
 	var flight := world()
-	var energy := flight.energy()
-	var scale := 0.5 * ball.velocity.length_squared() + GRAVITY * 50.0
-	for sample: int in samples:
-		var refusal := flight.advance(seconds / samples)
+	for sample: int in _SAMPLES:
+		var refusal := flight.advance(seconds / _SAMPLES)
 		if refusal:
 			return refusal
-		if flight.impacts > 20_000:
+		# Hops of a perfectly elastic ball are a case for patience, not for this test.
+		if flight.impacts > _MOST_IMPACTS:
 			return ""
-		var at := flight.position(0)
-		var now := flight.energy()
-		scale = maxf(scale, 0.5 * flight.velocity(0).length_squared())
-		if now - energy > ENERGY * scale:
-			return "At %s s the energy has grown by %s." % [flight.time, now - energy]
-		if bounciness == 1.0 and energy - now > ENERGY * scale:
-			return "At %s s energy is lost: %s." % [flight.time, energy - now]
-		var inside := depth(at)
-		if inside > DEEPEST:
-			return "At %s s the ball at %s is inside a line by %s px." % [flight.time, at, inside]
+		var found := _problem_at(flight.position(0), flight.velocity(0), true)
+		if found:
+			return "At %s s %s" % [flight.time, found]
+	return ""
+
+
+## "" or what does not hold where [param mover] moves the ball frame by frame. A mover that loses
+## time may lose energy, too.
+func stepped_problem(mover: BallMover) -> String:
+	var stepped := SteppedWorld.new(mover)
+	Refusal.push(stepped.surroundings.set_gravity(Vec2.new(0.0, GRAVITY)))
+	Refusal.push(stepped.surroundings.set_bounciness(bounciness))
+	Refusal.push(stepped.surroundings.set_segments(lines))
+	Refusal.push(stepped.set_balls([ball]))
+	for frame: int in roundi(_FRAMES_PER_SECOND * seconds):
+		var before := stepped.balls[0].position.copy()
+		var refusal := stepped.step(1.0 / _FRAMES_PER_SECOND)
+		if refusal:
+			return refusal
+		if stepped.is_lost[0]:
+			return ""
+		var now := stepped.balls[0]
+		var found := _problem_at(now.position, now.velocity, false)
+		# A quick ball that bounces without loss can come back to where it was.
+		var way := now.velocity.length() / _FRAMES_PER_SECOND
+		if way > 0.1 and bounciness < 1.0 and now.position.distance_to(before) < 1e-3 * way:
+			found = "it stands still at %s with v = %s." % [now.position, now.velocity]
+		if found:
+			return "In frame %d %s" % [frame, found]
 	return ""
 
 
 ## How deep a ball at this place is inside a line, in pixels.
 func depth(at: Vec2) -> float:
 	var deepest := -INF
-	for line: LineSegment in points:
+	for line: LineSegment in lines:
 		deepest = maxf(deepest, ball.radius - line.closest_point(at).distance_to(at))
 	return deepest
 
@@ -90,7 +137,7 @@ func depth(at: Vec2) -> float:
 ## As a person can build it again.
 func text() -> String:
 	var parts: PackedStringArray = []
-	for line: LineSegment in points.slice(0, 8):
+	for line: LineSegment in lines.slice(0, 8):
 		parts.append("%s to %s" % [line.start, line.end])
 	return (
 		"%s, C = %s, ball at %s, r = %s, v = %s; %d lines: %s"
@@ -100,10 +147,27 @@ func text() -> String:
 			ball.position,
 			ball.radius,
 			ball.velocity,
-			points.size(),
+			lines.size(),
 			", ".join(parts)
 		]
 	)
+
+
+# What is wrong with the ball at this place and velocity.
+func _problem_at(at: Vec2, velocity: Vec2, is_exact: bool) -> String:
+	var before := 0.5 * ball.velocity.length_squared()
+	var now := 0.5 * velocity.length_squared() - GRAVITY * (at.y - ball.position.y)
+	_scale = maxf(maxf(_scale, before + 50.0 * GRAVITY), 0.5 * velocity.length_squared())
+	var last_places := 4.0 * _EPSILON * maxf(absf(at.x), absf(at.y))
+	var tolerance := ENERGY * _scale + GRAVITY * last_places
+	if now - before > tolerance:
+		return "the energy has grown by %s." % (now - before)
+	if is_exact and bounciness == 1.0 and before - now > tolerance:
+		return "energy is lost: %s." % (before - now)
+	var inside := depth(at)
+	if inside > maxf(DEEPEST, last_places):
+		return "the ball at %s is inside a line by %s px." % [at, inside]
+	return ""
 
 
 func _lay(rng: RandomNumberGenerator) -> void:
@@ -144,7 +208,7 @@ func _small_angle(rng: RandomNumberGenerator) -> float:
 
 func _add(from: Vec2, to: Vec2) -> void:
 	if from.distance_to(to) > 0.0:
-		points.append(LineSegment.new(from, to))
+		lines.append(LineSegment.new(from, to))
 
 
 # A chain whose pieces turn by the same angle, downwards where it is above 0.
@@ -191,18 +255,18 @@ func _lay_circle(rng: RandomNumberGenerator) -> void:
 
 
 func _open_gaps(rng: RandomNumberGenerator) -> void:
-	for line: LineSegment in points:
+	for line: LineSegment in lines:
 		var gap := 10.0 ** rng.randf_range(-12.0, -3.0)
 		line.start.add(Vec2.random_unit(rng).scaled(gap))
 
 
 func _lengthen(rng: RandomNumberGenerator) -> void:
-	for line: LineSegment in points:
+	for line: LineSegment in lines:
 		line.end.add(line.end.minus(line.start).scaled(rng.randf_range(0.0, 0.3)))
 
 
 func _double(rng: RandomNumberGenerator) -> void:
-	for line: LineSegment in points.duplicate():
+	for line: LineSegment in lines.duplicate():
 		if rng.randf() < 0.5:
 			_add(line.start.copy(), line.end.copy())
 		elif rng.randf() < 0.5:
@@ -216,7 +280,7 @@ func _double(rng: RandomNumberGenerator) -> void:
 
 
 func _hang(rng: RandomNumberGenerator) -> void:
-	for line: LineSegment in points.duplicate():
+	for line: LineSegment in lines.duplicate():
 		var along := line.end.minus(line.start)
 		var share: float = [0.0, 1.0, rng.randf()][rng.randi() % 3]
 		var at := line.start.plus(along.scaled(share))
@@ -229,11 +293,11 @@ func _put_ball(rng: RandomNumberGenerator) -> void:
 	var speed: float = [0.0, rng.randf_range(0.0, 60.0), rng.randf_range(0.0, 400.0)][
 		rng.randi() % 3
 	]
-	var line := points[0]
+	var line := lines[0]
 	if kind == Kind.CIRCLE_OUTSIDE:
-		line = points[int(points.size() * rng.randf_range(0.65, 0.85))]
+		line = lines[int(lines.size() * rng.randf_range(0.65, 0.85))]
 	elif kind == Kind.CIRCLE_INSIDE:
-		line = points[int(points.size() * rng.randf_range(0.05, 0.45))]
+		line = lines[int(lines.size() * rng.randf_range(0.05, 0.45))]
 	var along := line.end.minus(line.start).normalized()
 	var normal := Vec2.new(along.y, -along.x)
 	if normal.y > 0.0:
@@ -249,35 +313,8 @@ func _put_ball(rng: RandomNumberGenerator) -> void:
 	ball = Ball.new(at, radius, velocity)
 
 
-## "" or what does not hold where [param mover] moves the ball frame by frame: it stands still
-## although it is fast, is inside a line, or gains energy.
-func stepped_problem(mover: BallMover, may_gain: bool = false) -> String:
-	var stepped := SteppedWorld.new(mover)
-	Refusal.push(stepped.surroundings.set_gravity(Vec2.new(0.0, GRAVITY)))
-	Refusal.push(stepped.surroundings.set_bounciness(bounciness))
-	Refusal.push(stepped.surroundings.set_segments(points))
-	Refusal.push(stepped.set_balls([ball]))
-	var energy := stepped.energy()
-	var scale := 0.5 * ball.velocity.length_squared() + GRAVITY * 50.0
-	for frame: int in roundi(60.0 * seconds):
-		var before := stepped.balls[0].position.copy()
-		var refusal := stepped.step(1.0 / 60.0)
-		if refusal:
-			return refusal
-		var at := stepped.balls[0].position
-		if stepped.is_lost[0]:
-			return ""
-		var speed := stepped.balls[0].velocity.length()
-		var now := stepped.energy()
-		scale = maxf(scale, 0.5 * speed * speed)
-		if now - energy > ENERGY * scale and not may_gain:
-			return "In frame %d the energy has grown by %s." % [frame, now - energy]
-		if speed > 1.0 and at.distance_to(before) < 1e-3 * speed / 60.0 and bounciness < 1.0:
-			return (
-				"In frame %d it stands still at %s with v = %s."
-				% [frame, at, stepped.balls[0].velocity]
-			)
-		var inside := depth(at)
-		if inside > DEEPEST:
-			return "In frame %d the ball at %s is inside a line by %s px." % [frame, at, inside]
-	return ""
+func _move_all(way: Vec2) -> void:
+	for line: LineSegment in lines:
+		line.start.add(way)
+		line.end.add(way)
+	ball.position.add(way)

@@ -214,9 +214,9 @@ func _slide_off(index: int) -> int:
 # (x, y), a little ahead. Finds its normal.
 func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	var distance := absf(_segments.signed_distance(place, _x[index], _y[index]))
-	if absf(distance - _radius[index]) > SEAM:
+	if absf(distance - _radius[index]) > _seam(index):
 		return false
-	var slack := SEAM / _segments.length(place)
+	var slack := _seam(index) / _segments.length(place)
 	var share := _segments.share_of(place, x, y)
 	if share < -slack or share > 1.0 + slack:
 		return false
@@ -224,9 +224,18 @@ func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	return _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0
 
 
+# How near is near enough where a ball slides on from one segment to the next, in pixels: far from the
+# origin rounding adds to SEAM.
+func _seam(index: int) -> float:
+	return SEAM + SegmentScan.ROUNDING * (absf(_x[index]) + absf(_y[index]))
+
+
 # Whether bounces that leave a cap with this speed along the normal, which must be known, are over.
+# Where the ball is too fast for the cap to hold it, there is one bounce less: it flies off along it.
 func _is_hop_over(index: int, speed: float, pressure: float) -> bool:
 	var pressed := pressure - _outward_pull(index)
+	if pressed <= 0.0:
+		pressed = pressure
 	return pressed > 0.0 and speed * speed <= 2.0 * pressed * LOWEST_HOP
 
 
@@ -265,7 +274,10 @@ func _comes_onto_line(index: int, x: float, y: float) -> bool:
 	for place in _places_at(index, x, y):
 		var away := _direction_from(place, x, y)
 		var over := away.x * (_x[index] - x) + away.y * (_y[index] - y)
-		if over >= -SEAM and away.x * _velocity_x[index] + away.y * _velocity_y[index] > 0.0:
+		if (
+			over >= -_seam(index)
+			and away.x * _velocity_x[index] + away.y * _velocity_y[index] > 0.0
+		):
 			_find_normal(index, place)
 			if _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0:
 				_put_on(index, place)
@@ -331,7 +343,10 @@ func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
 func _places_at(index: int, x: float, y: float) -> PackedInt32Array:
 	var found: PackedInt32Array = []
 	for place in _segments.places_near(_x[index], _y[index], _radius[index]):
-		if _is_end_at(place, Impact.Feature.START, x, y) or _is_end_at(place, Impact.Feature.END, x, y):
+		if (
+			_is_end_at(place, Impact.Feature.START, x, y)
+			or _is_end_at(place, Impact.Feature.END, x, y)
+		):
 			found.append(place)
 	return found
 
@@ -339,7 +354,8 @@ func _places_at(index: int, x: float, y: float) -> PackedInt32Array:
 func _is_end_at(place: int, feature: Impact.Feature, x: float, y: float) -> bool:
 	var dx := _segments.end_x(place, feature) - x
 	var dy := _segments.end_y(place, feature) - y
-	return dx * dx + dy * dy <= SEAM * SEAM
+	var seam := SEAM + SegmentScan.ROUNDING * (absf(x) + absf(y))
+	return dx * dx + dy * dy <= seam * seam
 
 
 # Whether the ball is over the line of the segment, and gravity presses it there; finds the normal.

@@ -7,16 +7,20 @@ extends SegmentList
 ## steps of the first are written out here: every prediction of an [EventWorld] among segments runs
 ## through them, and the first few rule out most segments.
 
+# What a ball touches already while it looks for the next impact: nothing, a line on which it lies,
+# a point round which it slides, or a point that it has just left.
+enum _Contact { NONE, LINE, POINT, LEFT_POINT }
+
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
 ## rounding may move it this far.
 const TOUCH := 1e-9
 
-# What rounding adds to that where coordinates are large, as a share of them.
-const _ROUNDING := 8.0 / 2.0 ** 52
+## What rounding adds to that where coordinates are large, as a share of them.
+const ROUNDING := 8.0 / 2.0 ** 52
 
-# What a ball touches already while it looks for the next impact: nothing, a line on which it lies,
-# a point round which it slides, or a point that it has just left.
-enum _Contact { NONE, LINE, POINT, LEFT_POINT }
+# Two ends that are no farther than this from each other are at the same joint, as a share of the
+# radius of the ball that passes them.
+const _WIDEST_GAP := 1e-2
 
 ## Seconds until the impact that was found.
 var time := INF
@@ -142,7 +146,7 @@ func _ask_accelerated(pull_x: float, pull_y: float) -> void:
 	_pull_x = pull_x
 	_pull_y = pull_y
 	_accelerated.set_flight(_x, _y, _velocity_x, _velocity_y, pull_x, pull_y, _radius)
-	_slack = TOUCH + _ROUNDING * (absf(_x) + absf(_y))
+	_slack = TOUCH + ROUNDING * (absf(_x) + absf(_y))
 
 
 # Takes the segment at that place if the ball meets it before all that were tried.
@@ -238,8 +242,8 @@ func _try_accelerated(place: int) -> void:
 func _rises_from_contact(place: int) -> bool:
 	var skips_start := _is_at_contact(_start_x[place], _start_y[place])
 	var skips_end := _is_at_contact(_end_x[place], _end_y[place])
-	_accelerated.skips_start = skips_start
-	_accelerated.skips_end = skips_end
+	_accelerated.skips_start = skips_start or _is_behind(_start_x[place], _start_y[place])
+	_accelerated.skips_end = skips_end or _is_behind(_end_x[place], _end_y[place])
 	match _contact:
 		_Contact.POINT:
 			return not (skips_start or skips_end)
@@ -256,10 +260,20 @@ func _rises_from_contact(place: int) -> bool:
 func _is_at_contact(x: float, y: float) -> bool:
 	var dx := x - _contact_x
 	var dy := y - _contact_y
-	var slack := _slack + _ROUNDING * (absf(x) + absf(y))
 	if _contact == _Contact.LINE:
-		return dx * _contact_normal_x + dy * _contact_normal_y <= slack
-	return dx * dx + dy * dy <= slack * slack
+		return dx * _contact_normal_x + dy * _contact_normal_y <= _slack
+	return dx * dx + dy * dy <= _slack * _slack
+
+
+# Whether a ball that goes round the point of contact, or has left it, cannot meet a cap about this
+# point, because it has just passed it: at a joint with a gap there is one beside the other.
+func _is_behind(x: float, y: float) -> bool:
+	if _contact == _Contact.LINE:
+		return false
+	var dx := x - _contact_x
+	var dy := y - _contact_y
+	var gap := _WIDEST_GAP * _radius
+	return dx * dx + dy * dy <= gap * gap and dx * _velocity_x + dy * _velocity_y <= 0.0
 
 
 # Of two that are met at the same time, the one at the smaller place is taken, in whatever order
@@ -276,17 +290,17 @@ func _take(place: int, seconds: float, of: Impact.Feature) -> void:
 # sink into it. Gap, approach and pull are multiplied by the length of the segment.
 func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var share := share_of(place, _x, _y)
-	var is_beside := share < 0.0 or share > 1.0
+	var is_over := share >= 0.0 and share <= 1.0
 	var skips_cap := _accelerated.skips_start if share < 0.0 else _accelerated.skips_end
-	if is_beside and skips_cap and _contact != _Contact.LEFT_POINT:
+	if skips_cap and not is_over and _contact != _Contact.LEFT_POINT:
 		return false
-	# Where it has left the cap, it has hardly been clear of the line that goes on there.
-	if not is_beside or skips_cap:
+	if is_over or _comes_over(place, share):
 		var slack := _slack * _length[place]
-		if gap < -slack or not _is_held(approach, pull, slack):
-			return false
-		_take(place, 2.0 * maxf(-approach, 0.0) / pull, Impact.Feature.LINE)
-		return true
+		if gap >= -slack and _is_held(approach, pull, slack):
+			_take(place, 2.0 * maxf(-approach, 0.0) / pull, Impact.Feature.LINE)
+			return true
+	if is_over or skips_cap:
+		return false
 	var of := Impact.Feature.START if share < 0.0 else Impact.Feature.END
 	var dx := _x - end_x(place, of)
 	var dy := _y - end_y(place, of)
@@ -301,6 +315,17 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 		return false
 	_take(place, 2.0 * maxf(-speed, 0.0) / inwards, of)
 	return true
+
+
+# Whether a ball beside an end of a segment that it touches is about to be over the line, and so near
+# to the end that line and cap are as near as makes no difference.
+func _comes_over(place: int, share: float) -> bool:
+	var along_x := _end_x[place] - _start_x[place]
+	var along_y := _end_y[place] - _start_y[place]
+	var speed := _velocity_x * along_x + _velocity_y * along_y
+	var beyond := -share if share < 0.0 else share - 1.0
+	beyond *= _length[place]
+	return speed * share < 0.0 and beyond * beyond <= 2.0 * _slack * _radius
 
 
 # Whether what leaves a surface at this speed is pulled back before it has risen by this height.
