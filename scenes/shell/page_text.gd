@@ -108,7 +108,8 @@ static func _rows_of(table: GridContainer) -> PackedStringArray:
 # Buttons are left out: they say what can be done, not what is shown.
 static func _text_of(control: Control) -> String:
 	if control is Label:
-		return control.atr((control as Label).text)
+		# Where a line breaks is of no interest here.
+		return control.atr((control as Label).text).replace("\u00a0", " ")
 	if control is LineEdit:
 		return (control as LineEdit).text
 	if control is RichTextLabel:

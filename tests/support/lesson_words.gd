@@ -74,6 +74,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	{
 		words =
 		[
+			"t = (−b ± √D) / (2 a)",
 			"along the line, no time of impact",
 			"it moves away, no impact",
 			"the ball does not move. Do not divide by a.",

@@ -40,10 +40,11 @@ static func named(above: Node, title: String) -> Control:
 	return null
 
 
-## Whether some visible label, button or field holds this text.
+## Whether some visible label, button or field holds this text, wherever its lines may break.
 static func reads(above: Node, text: String) -> bool:
+	var wanted := text.replace(Steps.NO_BREAK_SPACE, " ")
 	for control: Control in controls(above):
-		if text_of(control).contains(text):
+		if text_of(control).replace(Steps.NO_BREAK_SPACE, " ").contains(wanted):
 			return true
 	return false
 

@@ -64,6 +64,7 @@ static func is_close(shown: float, wanted: float, rounding: float) -> bool:
 func _read_services(services: Dictionary[StringName, Control]) -> void:
 	if services.has(&"steps"):
 		sentence = (services[&"steps"].get_node("%Sentence") as Label).text
+		sentence = sentence.replace(Steps.NO_BREAK_SPACE, " ")
 	if services.has(&"formula"):
 		lines = Screen.lines(services[&"formula"] as Formula)
 	if services.has(&"progress"):

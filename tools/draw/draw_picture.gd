@@ -6,6 +6,8 @@ extends SceneTree
 
 ## Half a second: what moves into place has arrived.
 const FRAMES := 30
+## What a step turns or moves over a second has arrived after its key.
+const FRAMES_AFTER_KEYS := 90
 const FEWEST_COLORS := 16
 const ARGUMENT := "--picture="
 ## Also look at the window: on a screen on which nothing else is.
@@ -51,8 +53,8 @@ func _press_all() -> void:
 			for part: String in argument.trim_prefix(PRESS).split(","):
 				for time: int in maxi(part.get_slice("*", 1).to_int(), 1):
 					await _press(part.get_slice("*", 0))
-	for frame: int in FRAMES:
-		await process_frame
+			for frame: int in FRAMES_AFTER_KEYS:
+				await process_frame
 
 
 func _press(action: StringName) -> void:

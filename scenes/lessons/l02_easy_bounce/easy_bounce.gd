@@ -7,7 +7,7 @@ extends Lesson
 ## How many frames a second are shown while it plays: slow enough to see each of them.
 const _FRAMES_PER_SECOND := 8.0
 ## The board shows the plane from the origin to this corner: for the whole bounce, for one frame.
-const _CORNER_OF_BOUNCE := Vector2(200.0, 220.0)
+const _CORNER_OF_BOUNCE := Vector2(200.0, 230.0)
 const _CORNER_OF_FRAME := Vector2(EasyBounceModel.HALF_LENGTH, 120.0)
 
 ## At the opening the ball goes to and fro so often, back by this share of v: it always overlaps the

@@ -53,7 +53,7 @@ static func _sentences(model: NormalsModel) -> PackedStringArray:
 		LabText.translate(
 			"Divide n by its length: the unit normal n̂ has length 1. Normal is not normalized!"
 		),
-		LabText.translate("One pixel is too short to see, so draw a multiple of n̂."),
+		LabText.translate("In pixels, n̂ is too short to see, so draw a multiple of it."),
 	]
 
 

@@ -67,7 +67,7 @@ func _lay_split(model: ReflectionModel, step: ReflectionModel.Step, is_split: bo
 	# From the next step on, the arrows that are subtracted carry the name.
 	_part.label = "(v·n) n" if step == ReflectionModel.Step.SPLIT else ""
 	_part.lay(Vec2.new(), part)
-	_part.keep_label_from(model.velocity_after(1.0).negated())
+	_part.keep_label_from(model.velocity)
 	_drop.lay(part, model.velocity)
 	_slide.lay(Vec2.new(), model.velocity_after(1.0))
 	_slide.keep_label_from(part.negated())

@@ -154,7 +154,7 @@ static func _share(value: float, digits: int) -> String:
 	if is_nan(value):
 		return "–"
 	var text := NumberText.short(value, digits)
-	return text + " ✗" if _is_too_much(value) else text
+	return text + " > 1" if _is_too_much(value) else text
 
 
 # So much that it is seen in what is shown.

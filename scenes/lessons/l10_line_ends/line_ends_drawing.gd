@@ -70,6 +70,7 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
 		_fields[i].visible = step >= _FIRST_STEPS[i]
 		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind), step)
+		_fields[i].show_name(i == _ACTIVE_FIELDS[step])
 	_layout.active = _ACTIVE_FIELDS[step]
 	_capped.show_cap(model, step)
 	_graph.visible = step >= LineEndsTexts.Step.QUADRATIC

@@ -69,6 +69,11 @@ func reserve_lines(count: int) -> void:
 	_words.custom_minimum_size.y = _words.get_line_height() * count
 
 
+## Shows the name of the motion, or leaves it out: a small field has no room for it.
+func show_name(on: bool) -> void:
+	_shot.show_label(on)
+
+
 ## Shows [param model] in this field as far as [param step] has got, counted from 0, and the flight
 ## [param wrong] of a mistake; null for none.
 func show_model(model: LineEndsModel, wrong: BallFlight, step: int) -> void:

@@ -174,11 +174,9 @@ func _lines_on_roots(model: LineEndsModel) -> PackedStringArray:
 	if not equation.has_roots():
 		return [tr("D < 0: no root. This end is not touched.")]
 	return [
-		"{t} = (−b − √D) / (2 a) = ({minus_b} − {root}) / {two_a} = {first}",
-		(
-			"{u} = (−b + √D) / (2 a) = ({minus_b} + {root}) / {two_a} = {second}     "
-			+ _verdict(model, equation)
-		),
+		"t = (−b ± √D) / (2 a)",
+		"{t} = ({minus_b} − {root}) / {two_a} = {first}",
+		"{u} = ({minus_b} + {root}) / {two_a} = {second}     " + _verdict(model, equation),
 	]
 
 

@@ -45,7 +45,7 @@ func _lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
 	if step >= MoreDimensionsTexts.Step.SUM:
 		found.append("{a} · {b} = " + _joined("{pa%d}·{pb%d}", dimension, " + ") + " = {dot}")
 	if step >= MoreDimensionsTexts.Step.SIGN:
-		found.append("{a} · {b} {sign} 0:  {words}")
+		found.append("{a} · {b} {sign} 0: {words}")
 	if step >= MoreDimensionsTexts.Step.ANGLE and model.has_angle():
 		found.append("|{a}| = {length_a}     |{b}| = {length_b}")
 		found.append("cos α = {dot} / ({length_a}·{length_b}) = {cosine}")

@@ -36,6 +36,8 @@ const SHORTEST := 2.0
 @export var has_tip := true
 ## Beyond the head, or beside the middle on the side that [method keep_label_from] leaves.
 @export var label_place := LabelPlace.HEAD
+## Where a label beside the arrow is on the way from the tail to the head.
+@export_range(0.0, 1.0, 0.05) var label_share := 0.5
 
 ## Whether it is lit up; see [method light].
 var lit := false:
@@ -106,10 +108,20 @@ func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
 	var reach := 15.0 + extent.x / 2.0
 	var middle := to + direction * (reach + 6.0)
-	if label_place == LabelPlace.MIDDLE:
+	if label_place == LabelPlace.HEAD and not has_tip:
+		middle = _beside(to, direction, extent.x)
+	elif label_place == LabelPlace.MIDDLE:
 		var side := direction.orthogonal()
 		if side.dot(board.to_screen(_crowded) - from) > 0.0:
 			side = -side
-		middle = (from + to) / 2.0 + side * (reach + 2.0)
+		middle = from.lerp(to, label_share) + side * (reach + 2.0)
 	var margin := Vector2(extent.x / 2.0 + 8.0, 22.0)
 	return middle.clamp(margin, board.size - margin)
+
+
+# A line without a tip may go on beyond its end: its label lies above it, upright lines' at the right.
+func _beside(end: Vector2, direction: Vector2, text_width: float) -> Vector2:
+	var above := direction.orthogonal()
+	if above.y > 1e-9 or (absf(above.y) <= 1e-9 and above.x < 0.0):
+		above = -above
+	return end + above * (absf(above.x) * text_width / 2.0 + absf(above.y) * 10.0 + 16.0)

@@ -10,8 +10,8 @@ signal released
 
 const _MARGIN_LEFT := 56.0
 const _MARGIN_RIGHT := 14.0
-const _MARGIN_TOP := 30.0
-const _MARGIN_BOTTOM := 26.0
+const _MARGIN_TOP := 36.0
+const _MARGIN_BOTTOM := 32.0
 const _SAMPLES := 120
 const _FONT_SIZE := 15
 # A value of at most this share of the y axis is what rounding leaves of 0.

@@ -14,6 +14,14 @@ const ACTIONS: Dictionary[StringName, String] = {
 	&"lab_previous_step": "step back", &"lab_next_step": "next step"
 }
 
+## A space at which no line ends; see [method kept_together].
+const NO_BREAK_SPACE := "\u00a0"
+
+# Letters at the end of a sentence between which no line ends.
+const _ENDING := 12
+
+static var _sign_finder := RegEx.create_from_string(" ([·−=<≤>/+]) ")
+
 ## The step that is shown, counted from 0: the first one at the start.
 var step: int:
 	get:
@@ -49,6 +57,13 @@ class Prediction:
 	var end: Callable
 	## It is asked only once.
 	var was_asked := false
+
+
+## [param sentence] with spaces that do not break where a line must not end: beside a sign, as in
+## `a · b`, and in the last few letters, so that no short word is left alone in the last line.
+static func kept_together(sentence: String) -> String:
+	var kept := _sign_finder.sub(sentence, NO_BREAK_SPACE + "$1" + NO_BREAK_SPACE, true)
+	return kept.left(-_ENDING) + kept.right(_ENDING).replace(" ", NO_BREAK_SPACE)
 
 
 func _ready() -> void:
@@ -199,6 +214,6 @@ func _clear_choices() -> void:
 
 func _refresh() -> void:
 	_count.text = tr("Step %d of %d") % [_step + 1, _sentences.size()]
-	_sentence.text = _prediction.prompt if _is_asking else _sentences[_step]
+	_sentence.text = kept_together(_prediction.prompt if _is_asking else _sentences[_step])
 	_back.disabled = _step == 0 and not _is_asking
 	_forward.disabled = _step == _sentences.size() - 1

@@ -100,7 +100,7 @@ func _problem_of_status(seen: SeenLesson) -> String:
 func _problem_of_share(shown: String, share: float, status: String) -> String:
 	if absf(SeenLesson.first_number(shown) - share) > _SHARE_OFF * maxf(absf(share), 1.0):
 		return "the share is %s: %s" % [share, status]
-	if shown.ends_with("✗") and share <= 1.0 or not shown.ends_with("✗") and share > 1.002:
+	if shown.ends_with("> 1") and share <= 1.0 or not shown.ends_with("> 1") and share > 1.002:
 		return "too much, or not: " + status
 	return ""
 
@@ -365,7 +365,7 @@ func _problem_of_rows(seen: SeenLesson) -> String:
 
 func _problem_of_row(row: PackedStringArray, is_right_way: bool, keeps_energy: bool) -> String:
 	var share := SeenLesson.first_number(row[1])
-	var is_marked := row[1].ends_with("✗")
+	var is_marked := row[1].ends_with("> 1")
 	if row[1] == "–" or row[1].contains("lost") or row[1] == "stopped":
 		return "" if row[2] == "–" else "there is no error to tell"
 	if is_marked and share <= 1.0 or not is_marked and share > 1.002:

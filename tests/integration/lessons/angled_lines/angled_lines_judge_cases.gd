@@ -156,7 +156,7 @@ const CASES: Array[Dictionary] = [
 				"g",
 				"n",
 				"t = 0.965",
-				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1 ✗    script 0.02 of 16.67 ms"
+				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1 > 1    script 0.02 of 16.67 ms"
 			],
 			[
 				"A",
@@ -196,14 +196,14 @@ const CASES: Array[Dictionary] = [
 		rows =
 		[
 			[
-				["position reset", "1.039 ✗", "0.039", "115 µs"],
+				["position reset", "1.039 > 1", "0.039", "115 µs"],
 				["rest dropped", "0.9124", "0.088", "68 µs"],
 				["rest used", "1", "2.2e−15", "35 µs"],
 				["event world", "1 lost", "–", "404 µs"]
 			],
 			[["position reset", "1.039", "0.039", "115 µs"]],
-			[["position reset", "1.039 ✗", "0.088", "115 µs"]],
-			[["position reset", "0.9124 ✗", "0.088", "115 µs"]],
+			[["position reset", "1.039 > 1", "0.088", "115 µs"]],
+			[["position reset", "0.9124 > 1", "0.088", "115 µs"]],
 			[["position reset", "1 lost", "1", "115 µs"]],
 			[["rest used", "1", "0", "35 µs"]],
 			[],

@@ -148,7 +148,7 @@ func _problem_of_lines(lines: PackedStringArray) -> String:
 			# However near it is, only a right angle has 90°.
 			if degrees == 90.0 and absf(_degrees - 90.0) > _degrees_off:
 				return "it is no right angle: “%s”" % line
-		elif line.contains(" 0:  "):
+		elif line.contains(" 0: "):
 			var found := false_claim(line.split(":  "), _claims_of_sign())
 			if found:
 				return found

@@ -33,8 +33,8 @@ const CASES: Array[Dictionary] = [
 		],
 		lines =
 		[
-			["a · b < 0:  the angle is above 90°", "α = 142.6°"],
-			["a · b < 0:  a right angle"],
+			["a · b < 0: the angle is above 90°", "α = 142.6°"],
+			["a · b < 0: a right angle"],
 			["α = 142.4°"],
 		],
 	},

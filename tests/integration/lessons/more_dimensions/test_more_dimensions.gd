@@ -150,7 +150,7 @@ func test_at_the_opening_the_axes_turn_and_no_number_changes() -> void:
 
 func test_hidden_answers_hide_the_angle_everywhere() -> void:
 	await student.press(&"lab_hide_answers")
-	assert_has(_formula_lines(), "a · b ? 0:  ?")
+	assert_has(_formula_lines(), "a · b ? 0: ?")
 	assert_has(_formula_lines(), "α = ?°")
 	for part: String in ["%Arc", "%Shadow", "%Stairs", "%VerdictCard"]:
 		var shown := frame().lesson.get_node(part) as CanvasItem
