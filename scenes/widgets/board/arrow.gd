@@ -108,20 +108,15 @@ func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
 	var reach := 15.0 + extent.x / 2.0
 	var middle := to + direction * (reach + 6.0)
-	if label_place == LabelPlace.HEAD and not has_tip:
-		middle = _beside(to, direction, extent.x)
-	elif label_place == LabelPlace.MIDDLE:
+	if not has_tip:
+		# The line may go on beyond its end: its label lies above it.
+		var above := direction.orthogonal()
+		above *= -signf(above.y + 1e-9)
+		middle = to + above * (reach * absf(above.x) + 22.0)
+	if label_place == LabelPlace.MIDDLE:
 		var side := direction.orthogonal()
 		if side.dot(board.to_screen(_crowded) - from) > 0.0:
 			side = -side
 		middle = from.lerp(to, label_share) + side * (reach + 2.0)
 	var margin := Vector2(extent.x / 2.0 + 8.0, 22.0)
 	return middle.clamp(margin, board.size - margin)
-
-
-# A line without a tip may go on beyond its end: its label lies above it, upright lines' at the right.
-func _beside(end: Vector2, direction: Vector2, text_width: float) -> Vector2:
-	var above := direction.orthogonal()
-	if above.y > 1e-9 or (absf(above.y) <= 1e-9 and above.x < 0.0):
-		above = -above
-	return end + above * (absf(above.x) * text_width / 2.0 + absf(above.y) * 10.0 + 16.0)

@@ -113,6 +113,16 @@ func test_the_steps_bring_one_kind_of_line_after_the_other() -> void:
 	assert_eq(counts, [1, 2, 4, 5, 5, 5, 5] as Array[int])
 
 
+func test_only_the_large_field_names_the_motion() -> void:
+	for step: int in 7:
+		var names := 0
+		for node: Node in frame().lesson.find_children("Arrow", "Node2D", true, false):
+			var arrow := node as Arrow
+			names += 1 if arrow.label == "v" and arrow.is_visible_in_tree() else 0
+		assert_eq(names, 1, "%d steps back" % step)
+		await student.press(&"lab_previous_step")
+
+
 func test_the_graph_and_the_roots_come_with_their_steps() -> void:
 	await student.press(&"lab_previous_step")
 	assert_true(_part("Second").visible)
