@@ -47,3 +47,18 @@ static func problem_of_gravity(gravity: Vec2, largest: float) -> String:
 		return ""
 	var limit := String.num_scientific(largest)
 	return "Gravity must be within -%s..%s px/s² in x and y, not %s." % [limit, limit, gravity]
+
+
+## Seconds until a ball that flies off a circle along its tangent is on the circle again; INF for
+## never. (x, y) leads from the centre of the circle to the ball, r; the velocity v is perpendicular
+## to it. So |r + v t + g t² / 2|² = r² leaves v² + r · g + (v · g) t + g² t² / 4 = 0. A ball that
+## does not climb never comes back.
+static func time_back_to_circle(
+	x: float, y: float, vx: float, vy: float, gx: float, gy: float
+) -> float:
+	var growth := vx * gx + vy * gy
+	var away := maxf(vx * vx + vy * vy + x * gx + y * gy, 0.0)
+	var discriminant := growth * growth - (gx * gx + gy * gy) * away
+	if growth >= 0.0 or discriminant < 0.0:
+		return INF
+	return 2.0 * away / (sqrt(discriminant) - growth)

@@ -1,7 +1,8 @@
 class_name ChainCase
 extends RefCounted
 ## A ball on a random chain of lines, and what must hold there in every way of stepping: time goes
-## on, the ball is never inside a line, and its energy never grows and is kept while nothing is lost.
+## on, the ball is never inside a line, and its energy never grows. It is kept while nothing is
+## lost.
 
 ## The kinds of chains.
 enum Kind {

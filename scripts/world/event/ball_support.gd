@@ -224,14 +224,14 @@ func _goes_on(index: int, place: int, x: float, y: float) -> bool:
 	return _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0
 
 
-# How near is near enough where a ball slides on from one segment to the next, in pixels: far from the
-# origin rounding adds to SEAM.
+# How near is near enough where a ball slides on from one segment to the next, in pixels: far from
+# the origin rounding adds to SEAM.
 func _seam(index: int) -> float:
 	return SEAM + SegmentScan.ROUNDING * (absf(_x[index]) + absf(_y[index]))
 
 
 # Whether bounces that leave a cap with this speed along the normal, which must be known, are over.
-# Where the ball is too fast for the cap to hold it, there is one bounce less: it flies off along it.
+# Where the ball is too fast for the cap to hold it, it flies off along it.
 func _is_hop_over(index: int, speed: float, pressure: float) -> bool:
 	var pressed := pressure - _outward_pull(index)
 	if pressed <= 0.0:

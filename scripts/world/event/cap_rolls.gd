@@ -62,8 +62,9 @@ func begin(ball: int, slide: CapSlide, time: float, time_low: float) -> void:
 	_line_time[ball] = INF
 
 
-## The way of a ball ends where it comes onto a line as well: one that begins at the point about which
-## the ball goes, and has this direction. The ball comes onto it where it moves in this direction.
+## The way of a ball ends where it comes onto a line as well: one that begins at the point about
+## which the ball goes, and has this direction. The ball comes onto it where it moves in this
+## direction.
 func end_at_line(ball: int, along_x: float, along_y: float) -> void:
 	var turn := slides[ball].turn
 	var seconds := slides[ball].time_to_direction(turn * along_y, -turn * along_x)

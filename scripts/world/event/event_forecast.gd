@@ -364,18 +364,17 @@ func _forecast_wall(index: int, wall: int) -> void:
 # Tells the segments what the ball touches already: what it lies on, or the end of a segment that it
 # slides round or has slid off.
 func _tell_contact(index: int) -> void:
-	var surface := _support[index]
-	if surface != NOTHING and _rolled_end[index] == Impact.Feature.LINE:
-		_find_normal(index, surface)
+	var is_held := _support[index] != NOTHING
+	var place := _support[index] if is_held else _left_surface[index]
+	var feature := (_rolled_end[index] if is_held else _left_feature[index]) as Impact.Feature
+	if is_held and feature == Impact.Feature.LINE:
+		_find_normal(index, place)
 		var x := _x[index] - _radius[index] * _normal_x
 		var y := _y[index] - _radius[index] * _normal_y
-		_segments.lie_on_line(_normal_x, _normal_y, x, y)
-	elif surface != NOTHING:
-		var feature := _rolled_end[index] as Impact.Feature
-		_segments.slide_round(_segments.end_x(surface, feature), _segments.end_y(surface, feature))
-	elif _left_surface[index] >= 0 and _left_feature[index] != Impact.Feature.LINE:
-		var place := _left_surface[index]
-		var feature := _left_feature[index] as Impact.Feature
+		_segments.lie_on_line(x, y, _normal_x, _normal_y)
+	elif is_held:
+		_segments.slide_round(_segments.end_x(place, feature), _segments.end_y(place, feature))
+	elif place >= 0 and feature != Impact.Feature.LINE:
 		_segments.leave_point(_segments.end_x(place, feature), _segments.end_y(place, feature))
 
 
@@ -400,20 +399,14 @@ func _forecast_return(index: int, place: int) -> void:
 	_forecast_ends(index, place)
 
 
-# Back to the cap that the ball has slid off. The flight begins along the circle about the end of the
-# segment, with r from there to the ball and v · r = 0. So |r + v t + g t² / 2|² = r² leaves
-# v² + r · g + (v · g) t + g² t² / 4 = 0. A ball that does not climb never comes back.
+# Back to the cap that the ball has slid off: a ball that climbs may come back to it.
 func _forecast_return_to_cap(index: int, place: int) -> void:
 	var feature := _left_feature[index] as Impact.Feature
 	var x := _x[index] - _segments.end_x(place, feature)
 	var y := _y[index] - _segments.end_y(place, feature)
-	var growth := _velocity_x[index] * _pull_x[index] + _velocity_y[index] * _pull_y[index]
-	var away := _squared_speed(index) + x * _pull_x[index] + y * _pull_y[index]
-	var bend := 0.25 * (_pull_x[index] * _pull_x[index] + _pull_y[index] * _pull_y[index])
-	var discriminant := growth * growth - 4.0 * bend * away
-	if growth >= 0.0 or discriminant < 0.0:
-		return
-	var seconds := 2.0 * maxf(away, 0.0) / (sqrt(discriminant) - growth)
+	var seconds := FreeFlight.time_back_to_circle(
+		x, y, _velocity_x[index], _velocity_y[index], _pull_x[index], _pull_y[index]
+	)
 	if seconds < _seconds:
 		_touched_feature[index] = feature
 		_take(seconds, place, TOUCH)
@@ -453,28 +446,3 @@ func _forecast_slide(index: int, place: int) -> void:
 			Impact.Feature.START if to_start < to_end else Impact.Feature.END
 		)
 		_take(minf(to_start, to_end), place, SLIDE_OFF)
-
-
-# The unit normal of a wall or of the line of a segment, on the side where the ball is.
-func _find_normal(index: int, surface: int) -> void:
-	_normal_x = 0.0
-	_normal_y = 0.0
-	match surface:
-		LEFT_WALL:
-			_normal_x = 1.0
-		RIGHT_WALL:
-			_normal_x = -1.0
-		TOP_WALL:
-			_normal_y = 1.0
-		BOTTOM_WALL:
-			_normal_y = -1.0
-		_:
-			_normal_x = _segments.normal_x(surface)
-			_normal_y = _segments.normal_y(surface)
-			var side := _segments.signed_distance(surface, _x[index], _y[index])
-			if side == 0.0:
-				# The centre is on the line itself: the side is the one that it comes from.
-				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
-			if side < 0.0:
-				_normal_x = -_normal_x
-				_normal_y = -_normal_y

@@ -302,9 +302,35 @@ func _restart(index: int) -> void:
 	_start_low[index] = _time_low
 
 
-# The flight that stands for a piece of the way over a cap follows it closely in place, not in speed.
+# The flight that stands for a piece of the way over a cap follows it closely in place, but not in
+# speed.
 func _find_velocity_on_cap(index: int) -> void:
 	_rolls.move_to(index, _rolls.seconds_since(index, time, _time_low))
+
+
+# The unit normal of a wall or of the line of a segment, on the side where the ball is.
+func _find_normal(index: int, surface: int) -> void:
+	_normal_x = 0.0
+	_normal_y = 0.0
+	match surface:
+		LEFT_WALL:
+			_normal_x = 1.0
+		RIGHT_WALL:
+			_normal_x = -1.0
+		TOP_WALL:
+			_normal_y = 1.0
+		BOTTOM_WALL:
+			_normal_y = -1.0
+		_:
+			_normal_x = _segments.normal_x(surface)
+			_normal_y = _segments.normal_y(surface)
+			var side := _segments.signed_distance(surface, _x[index], _y[index])
+			if side == 0.0:
+				# The centre is on the line itself: the side is the one that it comes from.
+				side = -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
+			if side < 0.0:
+				_normal_x = -_normal_x
+				_normal_y = -_normal_y
 
 
 func _squared_speed(index: int) -> float:

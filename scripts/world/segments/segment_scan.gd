@@ -7,9 +7,9 @@ extends SegmentList
 ## steps of the first are written out here: every prediction of an [EventWorld] among segments runs
 ## through them, and the first few rule out most segments.
 
-# What a ball touches already while it looks for the next impact: nothing, a line on which it lies,
-# a point round which it slides, or a point that it has just left.
-enum _Contact { NONE, LINE, POINT, LEFT_POINT }
+## What a ball touches already while it looks for the next impact: nothing, a line on which it lies,
+## a point round which it slides, or a point that it has just left.
+enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
 ## rounding may move it this far.
@@ -41,7 +41,7 @@ var _skipped := -1
 # The square of the radius times the speed, and a little more for rounding.
 var _reach_squared := 0.0
 var _slack := TOUCH
-var _contact := _Contact.NONE
+var _contact := Contact.NONE
 var _contact_x := 0.0
 var _contact_y := 0.0
 var _contact_normal_x := 0.0
@@ -88,19 +88,19 @@ func first_accelerated_impact(
 
 
 ## Tells before [method first_accelerated_impact] that the ball lies on the line through (x, y) with
-## this unit normal, towards the ball. Then it can meet nothing that does not rise above the line,
-## such as the end of the next line at a joint.
-func lie_on_line(normal_x: float, normal_y: float, x: float, y: float) -> void:
-	_contact = _Contact.LINE
-	_contact_normal_x = normal_x
-	_contact_normal_y = normal_y
+## the unit normal (up_x, up_y), towards the ball. Then it can meet nothing that does not rise above
+## the line, such as the end of the next line at a joint.
+func lie_on_line(x: float, y: float, up_x: float, up_y: float) -> void:
+	_contact = Contact.LINE
+	_contact_normal_x = up_x
+	_contact_normal_y = up_y
 	_contact_x = x
 	_contact_y = y
 
 
 ## Tells that the ball slides round the point (x, y), where segments end: it meets none of them.
 func slide_round(x: float, y: float) -> void:
-	_contact = _Contact.POINT
+	_contact = Contact.POINT
 	_contact_x = x
 	_contact_y = y
 
@@ -108,14 +108,14 @@ func slide_round(x: float, y: float) -> void:
 ## Tells that the ball flies off the point (x, y), where segments end: it may meet their lines, but
 ## not their caps at this point.
 func leave_point(x: float, y: float) -> void:
-	_contact = _Contact.LEFT_POINT
+	_contact = Contact.LEFT_POINT
 	_contact_x = x
 	_contact_y = y
 
 
 # The ball touches nothing.
 func _end_contact() -> void:
-	_contact = _Contact.NONE
+	_contact = Contact.NONE
 	_accelerated.skips_start = false
 	_accelerated.skips_end = false
 
@@ -229,7 +229,7 @@ func _try_accelerated(place: int) -> void:
 		return
 	if _is_there[place] == 0 or place == _skipped:
 		return
-	if _contact != _Contact.NONE and not _rises_from_contact(place):
+	if _contact != Contact.NONE and not _rises_from_contact(place):
 		return
 	if touches and _lies_on(place, gap, approach, pull):
 		return
@@ -245,9 +245,9 @@ func _rises_from_contact(place: int) -> bool:
 	_accelerated.skips_start = skips_start or _is_behind(_start_x[place], _start_y[place])
 	_accelerated.skips_end = skips_end or _is_behind(_end_x[place], _end_y[place])
 	match _contact:
-		_Contact.POINT:
+		Contact.POINT:
 			return not (skips_start or skips_end)
-		_Contact.LEFT_POINT:
+		Contact.LEFT_POINT:
 			# Of the lines that end at the point it can meet those ahead.
 			var along_x := _end_x[place] - _start_x[place]
 			var along_y := _end_y[place] - _start_y[place]
@@ -260,7 +260,7 @@ func _rises_from_contact(place: int) -> bool:
 func _is_at_contact(x: float, y: float) -> bool:
 	var dx := x - _contact_x
 	var dy := y - _contact_y
-	if _contact == _Contact.LINE:
+	if _contact == Contact.LINE:
 		return dx * _contact_normal_x + dy * _contact_normal_y <= _slack
 	return dx * dx + dy * dy <= _slack * _slack
 
@@ -268,7 +268,7 @@ func _is_at_contact(x: float, y: float) -> bool:
 # Whether a ball that goes round the point of contact, or has left it, cannot meet a cap about this
 # point, because it has just passed it: at a joint with a gap there is one beside the other.
 func _is_behind(x: float, y: float) -> bool:
-	if _contact == _Contact.LINE:
+	if _contact == Contact.LINE:
 		return false
 	var dx := x - _contact_x
 	var dy := y - _contact_y
@@ -292,7 +292,7 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var share := share_of(place, _x, _y)
 	var is_over := share >= 0.0 and share <= 1.0
 	var skips_cap := _accelerated.skips_start if share < 0.0 else _accelerated.skips_end
-	if skips_cap and not is_over and _contact != _Contact.LEFT_POINT:
+	if skips_cap and not is_over and _contact != Contact.LEFT_POINT:
 		return false
 	if is_over or _comes_over(place, share):
 		var slack := _slack * _length[place]
@@ -317,8 +317,8 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	return true
 
 
-# Whether a ball beside an end of a segment that it touches is about to be over the line, and so near
-# to the end that line and cap are as near as makes no difference.
+# Whether a ball beside an end of a segment that it touches is about to be over the line, and so
+# near to the end that line and cap are as near as makes no difference.
 func _comes_over(place: int, share: float) -> bool:
 	var along_x := _end_x[place] - _start_x[place]
 	var along_y := _end_y[place] - _start_y[place]

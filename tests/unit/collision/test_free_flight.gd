@@ -39,3 +39,22 @@ func test_gravity_beyond_the_limit_is_named_with_the_limit() -> void:
 		"Gravity must be within -5..5 px/s² in x and y, not (0, -6)."
 	)
 	assert_ne(FreeFlight.problem_of_gravity(Vec2.new(NAN, 0), 5.0), "")
+
+
+func test_a_ball_that_flies_off_a_circle_uphill_is_on_it_again() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 4
+	var found := 0
+	for i: int in 1000:
+		var angle := rng.randf_range(-PI, PI)
+		var from := Vec2.unit_radians(angle).scaled(10.0)
+		var velocity := Vec2.unit_radians(angle + PI / 2.0).scaled(rng.randf_range(-90.0, 90.0))
+		var seconds := FreeFlight.time_back_to_circle(
+			from.x, from.y, velocity.x, velocity.y, 0, 300
+		)
+		if seconds < INF and seconds > 0.0:
+			found += 1
+			var at := from.plus(FreeFlight.motion(velocity, Vec2.new(0, 300), seconds))
+			assert_almost_eq(at.length(), 10.0, 1e-9)
+			assert_lt(velocity.y, 0.0, "it climbs")
+	assert_gt(found, 20)
