@@ -232,7 +232,7 @@ func test_the_shot_is_played_once_on_opening_and_then_the_first_step_waits() -> 
 
 
 func test_a_ball_head_on_is_said_to_stop_and_nothing_is_asked() -> void:
-	await click_button("Head on")
+	await click_button("Head-on")
 	await go_to_step(ReflectionModel.Step.SPLIT)
 	await student.press(&"lab_next_step")
 	assert_reads("nothing is left of v. The ball stops.")
@@ -299,7 +299,7 @@ func _fly_to(time: float) -> void:
 
 
 func test_an_arrow_that_says_nothing_is_not_drawn() -> void:
-	await click_button("Head on")
+	await click_button("Head-on")
 	assert_false(_is_drawn("%Mirror"), "C = 1 would lie on v out")
 	await click_button("C = 0.5")
 	assert_true(_is_drawn("%Mirror"))
