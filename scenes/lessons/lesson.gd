@@ -103,7 +103,8 @@ func ask_before(before: int, prompt: String, truth: Callable, first: Callable) -
 	services[&"steps"].call(&"ask_before", before, prompt, ask, judge, Callable(guess, &"hide"))
 
 
-## The same with a button for each of the translated [param choices]. [param right] returns the place of the right one, below 0 where there is nothing to ask.
+## The same with a button for each of the translated [param choices], each of which can follow
+## `No,`. [param right] returns the place of the right one, below 0 where there is nothing to ask.
 func ask_choice_before(
 	before: int, prompt: String, choices: PackedStringArray, right: Callable
 ) -> void:

@@ -63,7 +63,7 @@ func test_the_change_is_asked_for_before_it_is_shown() -> void:
 	await student.press(&"lab_next_step")
 	assert_does_not_read("set_xy( ")
 	await click_button("the old place")
-	assert_reads("No. Answer: the new place")
+	assert_reads("No, the new place")
 
 
 func test_at_the_opening_both_sway_together_and_stay_level() -> void:

@@ -49,7 +49,7 @@ func test_it_asks_before_the_frontier_and_before_the_order() -> void:
 	assert_eq(Screen.reads(screen(), "Right: the slowest"), is_slowest)
 	await student.press(&"lab_next_step")
 	await click_button("1/2")
-	assert_reads("No. Answer: 1/4")
+	assert_reads("No, 1/4")
 	assert_eq(frame().lesson.step, 2)
 
 

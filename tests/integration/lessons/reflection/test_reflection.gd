@@ -193,6 +193,13 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	assert_reads("Right:")
 
 
+func test_a_wrong_choice_is_answered_in_a_whole_sentence() -> void:
+	await go_to_step(ReflectionModel.Step.SPLIT)
+	await student.press(&"lab_next_step")
+	await click_button("it flies through")
+	assert_reads("No, it slides along the line")
+
+
 func test_the_reflection_is_asked_for_before_it_is_shown() -> void:
 	await go_to_step(ReflectionModel.Step.SPLIT)
 	await student.press(&"lab_next_step")
