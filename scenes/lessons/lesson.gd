@@ -104,7 +104,7 @@ func ask_before(before: int, prompt: String, truth: Callable, first: Callable) -
 
 
 ## The same with a button for each of the translated [param choices], each of which can follow
-## `it is`. [param right] returns the place of the right one, below 0 where there is nothing to ask.
+## `No,`. [param right] returns the place of the right one, below 0 where there is nothing to ask.
 func ask_choice_before(
 	before: int, prompt: String, choices: PackedStringArray, right: Callable
 ) -> void:

@@ -263,6 +263,8 @@ func _add_service(need: String) -> Control:
 		service.connect(&"role_pointed", lesson.light)
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
+	if service.has_signal(&"mistake_picked"):
+		service.connect(&"mistake_picked", _scroll_to.bind(service).unbind(1))
 	return service
 
 
@@ -278,7 +280,15 @@ func _announce(answering: Control) -> void:
 # What has been unfolded, or has grown by a verdict, is scrolled into view.
 func _keep_in_view(service: FoldableContainer) -> void:
 	if not service.folded:
-		_panel.ensure_control_visible.call_deferred(service)
+		_scroll_to(service)
+
+
+# The panel knows in the next frame how far it can be scrolled.
+func _scroll_to(service: Control) -> void:
+	var next_frame := get_tree().process_frame
+	var scroll := _panel.ensure_control_visible.bind(service)
+	if not next_frame.is_connected(scroll):
+		next_frame.connect(scroll, CONNECT_ONE_SHOT)
 
 
 func _act(action: StringName) -> void:

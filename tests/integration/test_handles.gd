@@ -42,7 +42,7 @@ func test_handles_are_reached_by_tab_in_every_lesson() -> void:
 # What has the focus on one whole round with the Tab key.
 func _reached_by_tab() -> Array[Control]:
 	var reached: Array[Control] = []
-	var start := Screen.button(screen(), "Reset the lesson")
+	var start := Screen.button(screen(), "Put the board back to its start")
 	start.grab_focus()
 	await student.press_key(KEY_TAB)
 	while not start.has_focus() and reached.size() < _MOST_TABS:

@@ -141,7 +141,7 @@ func test_a_choice_is_judged_when_the_step_is_shown() -> void:
 		assert_reads("Is it longer?")
 		await click_button("longer")
 		assert_reads("Step 5 of 7")
-		assert_reads("Right: longer" if right == 0 else "No: it is shorter")
+		assert_reads("Right: longer" if right == 0 else "No, shorter")
 		assert_null(Screen.button(screen(), "longer"))
 
 

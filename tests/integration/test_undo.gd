@@ -86,7 +86,7 @@ func test_reset_by_key_button_and_gamepad_brings_the_start_back() -> void:
 	var start := frame().lesson.state()
 	for reset: Callable in [
 		student.press.bind(&"lab_reset"),
-		click_button.bind("Reset the lesson"),
+		click_button.bind("Put the board back to its start"),
 		student.press_pad.bind(JOY_BUTTON_Y),
 	]:
 		await click_button("Huge")

@@ -47,7 +47,9 @@ func start() -> void:
 
 
 func _ask() -> void:
-	var place := tr("Where must the centre go, so that the ball just touches? Drag the “?” there.")
+	var place := tr(
+		"Where must the centre go, so that the ball just touches? Drag the “?” there, then step forward."
+	)
 	ask_before(EasyBounceTexts.Step.PUT_BACK, place, _place_to_guess, _first_guess)
 	var component := tr("The ball bounces off. Which component of v changes its sign?")
 	var components: PackedStringArray = [tr("x of v"), tr("y of v"), tr("both")]

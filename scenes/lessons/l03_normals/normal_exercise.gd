@@ -76,7 +76,10 @@ func _ask_unit() -> void:
 
 func _ask_scaled() -> void:
 	var texts := [NumberText.pair(v.x, v.y), NumberText.short(wanted_length)]
-	prompt = tr("A line runs along v = %s. Its normal is drawn %s pixels long. Which?") % texts
+	prompt = (
+		tr("A line runs along v = %s. Its normal is drawn %s pixels long. Which vector is that?")
+		% texts
+	)
 	_ask_for(["x =", "y ="], v.normal().scaled(wanted_length))
 	_add_on_both_sides(Vec2.new(-v.y, v.x).scaled(wanted_length), _not_normalized())
 	_add_on_both_sides(v.normal(), tr("That is 1 pixel long: it still has to be scaled."))

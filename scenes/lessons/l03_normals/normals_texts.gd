@@ -43,17 +43,20 @@ static func uncut_text(length: float) -> String:
 
 
 static func _sentences(model: NormalsModel) -> PackedStringArray:
-	var turned := LabText.translate(
-		"Turn v and its triangle by +90°, %s: x now runs along y, y against x. So n = (−y, x)."
+	var turned := (
+		LabText
+		. translate(
+			"Turn v and its triangle by +90°, %s: x now runs along y, y against x. The normal is n = (−y, x)."
+		)
 	)
 	return [
 		LabText.translate("A line has a direction: v = end − start. Drag its ends, or all of it."),
 		turned % clockwise_text(model),
 		LabText.translate("(y, −x) is the opposite normal. Choose one of the two and keep to it."),
 		LabText.translate(
-			"Divide n by its length: the unit normal n̂ has length 1. Normal is not normalized!"
+			"Divide n by its length: n̂ has length 1. “Normal” does not mean “normalized”!"
 		),
-		LabText.translate("In pixels, n̂ is too short to see, so draw a multiple of it."),
+		LabText.translate("In pixels, length 1 is too short to see. So draw a multiple of n̂."),
 	]
 
 

@@ -65,7 +65,9 @@ static func right_choice(model: ProjectionProofModel) -> int:
 static func _first_sentence(model: ProjectionProofModel) -> String:
 	if model.turned_share > 0.0:
 		return LabText.translate("Both turn by −β until b lies on the x axis.")
-	return LabText.translate("Wanted: p, the shadow of a on b. What is its signed length?")
+	return LabText.translate(
+		"Wanted: p, the shadow of a on b. What is its signed length, the scalar projection?"
+	)
 
 
 ## Both sides with all their digits, and in words how far they are apart, translated.

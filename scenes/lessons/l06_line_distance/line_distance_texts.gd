@@ -12,8 +12,11 @@ static func sentences(model: LineDistanceModel) -> PackedStringArray:
 		LabText.translate(
 			"d leads from p, a point on the line, to the ball's centre c. Slide p: d changes."
 		),
-		LabText.translate(
-			"The unit normal n̂ is perpendicular to the line and points to its good side."
+		(
+			LabText
+			. translate(
+				"The unit normal n̂ is perpendicular to the line. It points to the good side: balls belong there."
+			)
 		),
 		(
 			LabText
@@ -123,6 +126,9 @@ static func _on_segment(model: LineDistanceModel) -> String:
 		return LabText.translate(
 			"The distance to the segment has no sign: it does not tell the sides apart."
 		)
-	return LabText.translate(
-		"Here the distance to the segment is the same. Drag the ball past an end of the line."
+	return (
+		LabText
+		. translate(
+			"The segment is the line between its ends. Here its distance is the same. Drag the ball past an end."
+		)
 	)

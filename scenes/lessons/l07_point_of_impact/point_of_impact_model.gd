@@ -13,7 +13,7 @@ const _LONG_LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
 ## Presets by their titles (source text): what each changes in the model's state. The speeds are
 ## those of the course's scenes, in pixels per frame.
 const PRESETS: Dictionary[String, Dictionary] = {
-	"Course": {old = [6.0, -58.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
+	"Lecture": {old = [6.0, -58.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
 	"10 px": {old = [6.0, -10.0], new = [6.0, 0.0], line = _LINE, radius = 10.0},
 	"38 px": {old = [6.0, -36.5], new = [6.0, 1.5], line = _LINE, radius = 10.0},
 	"72 px": {old = [6.0, -26.0], new = [6.0, 46.0], line = _LINE, radius = 10.0},
@@ -171,7 +171,7 @@ func shows_mistake() -> bool:
 ## Switches a mistake on. Where it changes nothing, a preset is shown in which it does.
 func show_mistake(number: int) -> void:
 	mistake = number
-	for preset: String in ["Course", "Not yet"]:
+	for preset: String in ["Lecture", "Not yet"]:
 		if number != 0 and not shows_mistake():
 			Refusal.push(take(PRESETS[preset]))
 

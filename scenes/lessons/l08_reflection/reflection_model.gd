@@ -14,7 +14,7 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Lecture": {velocity = [3, 4], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
 	"C = 0.5": {velocity = [3, 4], along = [-7, 0], bounciness = 0.5, has_unit_normal = true},
 	"Angled": {velocity = [0, 5], along = [-8, -6], bounciness = 1.0, has_unit_normal = true},
-	"Head on": {velocity = [0, 5], along = [-7, 0], bounciness = 0.8, has_unit_normal = true},
+	"Head-on": {velocity = [0, 5], along = [-7, 0], bounciness = 0.8, has_unit_normal = true},
 	"Along": {velocity = [4, 0], along = [-7, 0], bounciness = 1.0, has_unit_normal = true},
 }
 

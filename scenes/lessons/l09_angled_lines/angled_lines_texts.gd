@@ -35,7 +35,7 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 		(
 			LabText
 			. translate(
-				"The same minute, stepped in four ways. E must never grow; with C = 1 it must stay the same."
+				"The same minute, stepped in four ways. The energy E must never grow; with C = 1 it must stay the same."
 			)
 		),
 	]
@@ -60,7 +60,7 @@ static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> Str
 ## What is asked before the path is shown.
 static func touch_prompt() -> String:
 	return LabText.translate(
-		"Where is the ball's centre at its next touch? Drag the ring there, then go on."
+		"Where is the ball's centre at its next touch? Drag the “?” there, then step forward."
 	)
 
 

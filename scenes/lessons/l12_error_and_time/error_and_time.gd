@@ -68,6 +68,7 @@ func pause() -> void:
 func show_state(stored: Dictionary) -> void:
 	_has_pointed = false
 	super(stored)
+	_model.go_on()
 
 
 ## Reset measures anew.

@@ -23,6 +23,8 @@ const _LONGEST_TYPED := 11
 # The numbers of digits to try; a double needs 17 at most.
 const _DIGITS: Array[int] = [4, 5, 6, 7, 8, 9, 10, 12, 15, 17]
 const _NAME := "\\{(\\w+)\\}"
+# What stands alone at an end of a pair, or of the two arguments of a function.
+const _ARGUMENT := "(?<=\\()n(\\d+)(?=, )|(?<=, )n(\\d+)(?=\\))"
 # A pair; before and after its comma there is at most one level of parentheses.
 const _PAIR := "(?<![a-z2])\\(((?:[^(),]|\\([^()]*\\))*),((?:[^(),]|\\([^()]*\\))*)\\)"
 # How to spell a side for [Expression], one after the other. Its names are n0, n1, ...
@@ -47,7 +49,7 @@ var _names: PackedStringArray = []
 var _variables: PackedStringArray = []
 # Between the signs of equality, with n0, n1, ... for the names.
 var _sides: PackedStringArray = []
-# The places of what stands alone between the parentheses and commas of a function.
+# The places of what stands alone between the parentheses and commas of a function or a pair.
 var _arguments: PackedInt32Array = []
 # How many components each name had when the following was found: 0 for a text.
 var _sizes: PackedInt32Array = []
@@ -84,8 +86,8 @@ func _init(template: String) -> void:
 		text += template.substr(at, found.get_start() - at) + _variables[-1]
 		at = found.get_end()
 	text += template.substr(at)
-	for found in RegEx.create_from_string("atan2\\(n(\\d+), n(\\d+)\\)").search_all(text):
-		_arguments.append_array([found.get_string(1).to_int(), found.get_string(2).to_int()])
+	for found in RegEx.create_from_string(_ARGUMENT).search_all(text):
+		_arguments.append((found.get_string(1) + found.get_string(2)).to_int())
 	_sides = text.split(" = ")
 
 

@@ -204,7 +204,7 @@ func _judge_choice(choices: PackedStringArray, right: Callable) -> String:
 	var wanted: int = right.call()
 	if _chosen < 0 or wanted < 0:
 		return ""
-	return (tr("Right: %s") if _chosen == wanted else tr("No: it is %s")) % choices[wanted]
+	return (tr("Right: %s") if _chosen == wanted else tr("No, %s")) % choices[wanted]
 
 
 func _clear_choices() -> void:

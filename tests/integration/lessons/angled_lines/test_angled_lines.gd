@@ -63,7 +63,7 @@ func test_the_third_step_asks_which_way_gains_energy_and_then_compares() -> void
 	assert_reads("higher and higher?")
 	assert_false(_readout().visible)
 	await click_button("rest dropped")
-	assert_reads("No: it is position reset")
+	assert_reads("No, position reset")
 	assert_true(_readout().visible)
 	assert_eq(formula_lines().size(), 2)
 

@@ -55,9 +55,7 @@ func test_the_place_of_the_ball_is_guessed_before_it_is_shown() -> void:
 
 
 func test_the_component_that_flips_is_guessed_on_a_level_line_only() -> void:
-	var verdicts: Dictionary[String, String] = {
-		"y of v": "Right: y of v", "x of v": "No: it is y of v"
-	}
+	var verdicts: Dictionary[String, String] = {"y of v": "Right: y of v", "x of v": "No, y of v"}
 	for choice: String in verdicts:
 		await student.press(&"lab_reset")
 		await go_to_step(EasyBounceTexts.Step.PUT_BACK)

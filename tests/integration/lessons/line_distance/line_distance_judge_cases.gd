@@ -19,7 +19,7 @@ const CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"The distance to the segment has no sign: it does not tell the sides apart.",
-			"Here the distance to the segment is the same. Drag the ball past an end of the line.",
+			"The segment is the line between its ends. Here its distance is the same. Drag the ball past an end.",
 			"Past an end, the segment is farther away than the line without ends.",
 			"Compare the distance of the mistake with the right one.",
 			"Something new.",
@@ -61,7 +61,7 @@ const CASES: Array[Dictionary] = [
 		step = [1],
 		sentence =
 		[
-			"The unit normal n̂ is perpendicular to the line and points to its good side.",
+			"The unit normal n̂ is perpendicular to the line. It points to the good side.",
 			"Compare the distance of the mistake with the right one.",
 		],
 		verdict = [[], ["Free: gap 70 px"]],

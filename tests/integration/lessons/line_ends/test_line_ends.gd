@@ -150,7 +150,7 @@ func test_the_normal_is_asked_for_before_the_bounce() -> void:
 	await go_to_step(LineEndsTexts.Step.ROOTS)
 	await student.press(&"lab_next_step")
 	await click_button("perpendicular to the line")
-	assert_reads("it is from the end to the ball's centre")
+	assert_reads("No, from the end to the ball's centre")
 	assert_has(_formula_lines(), "n = (P + t₁ v − A) / r = (−0.8, −0.6)")
 
 

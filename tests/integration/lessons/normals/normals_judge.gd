@@ -76,7 +76,7 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 		"+90°, counter-clockwise: x now runs along y": is_plain and step == 1 and _is_y_up,
 		"(y, −x) is the opposite normal": is_plain and step == 2,
 		"Divide n by its length": is_plain and step == 3,
-		"In pixels, n̂ is too short to see": is_plain and step == 4,
+		"In pixels, length 1 is too short to see": is_plain and step == 4,
 		"v is zero: a point has no direction": is_zero and step == 0,
 		"v is zero: (−y, x) is (0, 0), which is no normal": is_zero and step == 1,
 		"v is zero: (y, −x) is (0, 0), too": is_zero and step == 2,

@@ -20,7 +20,7 @@ const CASES: Array[Dictionary] = [
 		],
 		sentence =
 		[
-			"In pixels, n̂ is too short to see, so draw a multiple of it.",
+			"In pixels, length 1 is too short to see. So draw a multiple of n̂.",
 			"A line has a direction: v = end − start. Drag its ends, or all of it.",
 			"v is zero: there is no n̂ to draw.",
 			"Mistake 9 is on: n, and what two wrong formulas make of v.",

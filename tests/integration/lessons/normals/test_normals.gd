@@ -153,7 +153,7 @@ func test_the_opposite_normal_is_chosen_before_it_is_shown() -> void:
 	await go_to_step(NormalsTexts.Step.NORMAL)
 	await student.press(&"lab_next_step")
 	await click_button("(−y, −x)")
-	assert_reads("No: it is (y, −x)")
+	assert_reads("No, (y, −x)")
 	assert_eq(seen(["%Opposite"]), [true] as Array[bool])
 
 

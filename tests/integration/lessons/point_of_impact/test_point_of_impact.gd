@@ -39,7 +39,7 @@ func test_each_preset_is_explained_in_words() -> void:
 		"Away": "it moves away: no impact",
 		"Leaving": "it is on its way out: no impact",
 		"Along": "b = 0: no t",
-		"Course": "it touches in this frame",
+		"Lecture": "it touches in this frame",
 	}
 	for title in words:
 		await click_button(title)
@@ -190,7 +190,7 @@ func test_a_mistake_that_divides_by_0_loses_the_ball_and_nothing_breaks() -> voi
 
 func test_a_mistake_that_changes_nothing_says_so() -> void:
 	await pick_mistake("Mistake 17")
-	await click_button("Course")
+	await click_button("Lecture")
 	assert_reads("the mistake changes nothing here")
 	assert_eq(formula_lines()[-1], "wrong: 40 / 80 = 0.5")
 

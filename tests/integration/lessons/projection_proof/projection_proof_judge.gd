@@ -59,7 +59,7 @@ func _has_direction() -> bool:
 # In this order of the steps.
 func _claims_of_sentences(seen: SeenLesson) -> Dictionary[String, bool]:
 	var by_step: PackedStringArray = [
-		"Wanted: p, the shadow of a on b. What is its signed length?",
+		"Wanted: p, the shadow of a on b. What is its signed length, the scalar projection?",
 		"Turn both by −β until b lies on the x axis. No length changes",
 		"its signed length is the x of a′",
 		"Turning by −β gives a′.x. Use cos(−β) = cos β and sin(−β) = −sin β",

@@ -200,7 +200,7 @@ func test_the_turn_is_asked_for_before_it_is_shown() -> void:
 	await _finish_turning()
 	await student.press(&"lab_next_step")
 	await click_button("the x of a")
-	assert_reads("it is the x of a′")
+	assert_reads("No, the x of a′")
 
 
 func test_while_it_plays_at_the_first_step_the_text_says_so() -> void:

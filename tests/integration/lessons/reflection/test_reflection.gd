@@ -193,6 +193,13 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	assert_reads("Right:")
 
 
+func test_a_wrong_choice_is_answered_in_a_whole_sentence() -> void:
+	await go_to_step(ReflectionModel.Step.SPLIT)
+	await student.press(&"lab_next_step")
+	await click_button("it flies through")
+	assert_reads("No, it slides along the line")
+
+
 func test_the_reflection_is_asked_for_before_it_is_shown() -> void:
 	await go_to_step(ReflectionModel.Step.SPLIT)
 	await student.press(&"lab_next_step")
@@ -232,7 +239,7 @@ func test_the_shot_is_played_once_on_opening_and_then_the_first_step_waits() -> 
 
 
 func test_a_ball_head_on_is_said_to_stop_and_nothing_is_asked() -> void:
-	await click_button("Head on")
+	await click_button("Head-on")
 	await go_to_step(ReflectionModel.Step.SPLIT)
 	await student.press(&"lab_next_step")
 	assert_reads("nothing is left of v. The ball stops.")
@@ -299,7 +306,7 @@ func _fly_to(time: float) -> void:
 
 
 func test_an_arrow_that_says_nothing_is_not_drawn() -> void:
-	await click_button("Head on")
+	await click_button("Head-on")
 	assert_false(_is_drawn("%Mirror"), "C = 1 would lie on v out")
 	await click_button("C = 0.5")
 	assert_true(_is_drawn("%Mirror"))

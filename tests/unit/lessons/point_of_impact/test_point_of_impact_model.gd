@@ -239,7 +239,7 @@ func test_a_ball_that_flies_straight_at_the_line_is_reset_to_where_it_touches() 
 
 func test_t_is_told_only_where_it_counts() -> void:
 	var words: Dictionary[String, String] = {
-		"Course": "within 0..1",
+		"Lecture": "within 0..1",
 		"Not yet": "after this frame",
 		"Inside": "before this frame",
 		"Away": "moves away, and t does not count",

@@ -72,6 +72,13 @@ func test_an_angle_is_computed_in_degrees() -> void:
 	_assert_texts(statement, ["−16.874", "200", "−4.823"])
 
 
+func test_a_component_that_is_alone_needs_no_parentheses() -> void:
+	var statement := FormulaStatement.new("{n} = (−{ly}, {lx}) / {length} = {pair}")
+	_put({ly = -300.0, lx = -400.0, length = 500.0})
+	_numbers["pair"] = _number([0.6, -0.8])
+	_assert_texts(statement, ["", "(−300)", "−400", "500", "(0.6, −0.8)"])
+
+
 func test_what_is_before_a_colon_are_words() -> void:
 	var statement := FormulaStatement.new("{wrong}: ({new} − {r}) / {b} = {t}")
 	_put({new = -149.63, r = 0.001, b = 377.6, t = -149.631 / 377.6})
