@@ -10,8 +10,8 @@ func test_a_wrong_answer_leaves_the_button_that_checks_in_view() -> void:
 	await student.settle()
 	# The Vec2 of the first kind of question shares its object: its own number is a mistake.
 	var own: Exercise = question.get("_exercise")
-	var answer_field := question.find_children("*", "LineEdit", true, false)[0] as LineEdit
-	await student.enter(answer_field, str(own.mistakes[0].answer[0]))
+	var input := question.find_children("*", "LineEdit", true, false)[0] as LineEdit
+	await student.enter(input, str(own.mistakes[0].answer[0]))
 	assert_reads("A Vec2 is an object")
 	_assert_is_in_view(question.get_node("%Check") as Control)
 

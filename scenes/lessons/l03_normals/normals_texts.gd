@@ -46,7 +46,7 @@ static func _sentences(model: NormalsModel) -> PackedStringArray:
 	var turned := (
 		LabText
 		. translate(
-			"Turn v and its triangle by +90°, %s: x now runs along y, y against x. The normal is n = (−y, x)."
+			"Turn v and its triangle by +90°, %s: x now runs along y, y against x. The normal n is (−y, x)."
 		)
 	)
 	return [

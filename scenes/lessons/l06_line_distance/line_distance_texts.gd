@@ -15,7 +15,7 @@ static func sentences(model: LineDistanceModel) -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"The unit normal n̂ is perpendicular to the line. It points to the good side: balls belong there."
+				"The unit normal n̂ is perpendicular to the line. It points to the good side: the balls' side."
 			)
 		),
 		(
@@ -126,9 +126,6 @@ static func _on_segment(model: LineDistanceModel) -> String:
 		return LabText.translate(
 			"The distance to the segment has no sign: it does not tell the sides apart."
 		)
-	return (
-		LabText
-		. translate(
-			"The segment is the line between its ends. Here its distance is the same. Drag the ball past an end."
-		)
+	return LabText.translate(
+		"A segment has ends. Here its distance is the same. Drag the ball past an end."
 	)

@@ -14,7 +14,7 @@ static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"Now old and new are distances from the line: a = old − r until the contact, b = old − new in the whole frame."
+				"Now old and new are distances from the line: a = old − r to the contact, b = old − new in all."
 			)
 		),
 		_on_fraction(model),
@@ -122,7 +122,7 @@ static func _on_motion(model: PointOfImpactModel) -> String:
 	return (
 		LabText
 		. translate(
-			"One frame moves the ball by v, from old to new. Drag the ghost: t is the share of the frame that has passed."
+			"One frame moves the ball by v, from old to new. Drag the ghost: t is its share of the frame."
 		)
 	)
 

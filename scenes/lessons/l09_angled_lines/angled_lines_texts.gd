@@ -35,7 +35,7 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 		(
 			LabText
 			. translate(
-				"The same minute, stepped in four ways. The energy E must never grow; with C = 1 it must stay the same."
+				"The same minute, stepped in four ways. The energy E must never grow; with C = 1 it must stay."
 			)
 		),
 	]

@@ -126,7 +126,7 @@ func _problem_of_sentence(sentence: String, step: int) -> String:
 		"Compare the distance of the mistake": is_compared,
 		"Past an end, the segment is farther away": is_last and _is_beside_end(1e-9),
 		"The distance to the segment has no sign": is_last and _distance < _off,
-		"The segment is the line between its ends. Here its distance is the same":
+		"A segment has ends. Here its distance is the same":
 		is_last and not _is_beside_end(-1e-9) and _distance > -_off,
 	}
 	return false_claim([sentence], claims)

@@ -19,7 +19,7 @@ const CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"The distance to the segment has no sign: it does not tell the sides apart.",
-			"The segment is the line between its ends. Here its distance is the same. Drag the ball past an end.",
+			"A segment has ends. Here its distance is the same. Drag the ball past an end.",
 			"Past an end, the segment is farther away than the line without ends.",
 			"Compare the distance of the mistake with the right one.",
 			"Something new.",
