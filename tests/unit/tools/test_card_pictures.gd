@@ -1,4 +1,4 @@
-extends GutTest
+extends LabTest
 ## Which part of a lesson's picture its card shows.
 
 const KeepPictures := preload("res://tools/draw/keep_pictures.gd")

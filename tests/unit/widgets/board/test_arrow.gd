@@ -1,4 +1,4 @@
-extends GutTest
+extends LabTest
 ## Where the label of an arrow is drawn.
 
 const _FROM := Vector2(500.0, 400.0)

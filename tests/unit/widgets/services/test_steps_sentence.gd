@@ -1,4 +1,4 @@
-extends GutTest
+extends LabTest
 ## Where the sentence of a step breaks into lines.
 
 
