@@ -264,7 +264,7 @@ func _add_service(need: String) -> Control:
 	if service is FoldableContainer:
 		service.resized.connect(_keep_in_view.bind(service))
 	if service.has_signal(&"mistake_picked"):
-		service.connect(&"mistake_picked", _scroll_to.bind(service).unbind(1))
+		service.connect(&"mistake_picked", _keep_in_view.bind(service).unbind(1))
 	return service
 
 
@@ -277,18 +277,13 @@ func _announce(answering: Control) -> void:
 	_purposes.merge(actions)
 
 
-# What has been unfolded, or has grown by a verdict, is scrolled into view.
-func _keep_in_view(service: FoldableContainer) -> void:
-	if not service.folded:
-		_scroll_to(service)
-
-
-# The panel knows in the next frame how far it can be scrolled.
-func _scroll_to(service: Control) -> void:
-	var next_frame := get_tree().process_frame
+# What has been unfolded, has grown by a verdict, or tells of a mistake that was picked is scrolled
+# into view. The panel knows in the next frame how far it can be scrolled.
+func _keep_in_view(service: Control) -> void:
+	if service.get(&"folded"):
+		return
 	var scroll := _panel.ensure_control_visible.bind(service)
-	if not next_frame.is_connected(scroll):
-		next_frame.connect(scroll, CONNECT_ONE_SHOT)
+	get_tree().process_frame.connect(scroll, CONNECT_ONE_SHOT | CONNECT_REFERENCE_COUNTED)
 
 
 func _act(action: StringName) -> void:

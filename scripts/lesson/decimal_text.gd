@@ -15,11 +15,6 @@ const _PATTERN := "^([+-]?)(?=\\.?\\d)(\\d*)(?:\\.(\\d*))?(?:e([+-]?0*\\d{1,3}))
 const _MOST_DIGITS := 36
 # So many digits at once are read into an int.
 const _DIGITS_AT_ONCE := 9
-# The codes of other minus signs, as word processors and people who write formulas put them. They
-# are only read: the lab's font lacks some of them.
-const _DASHES: Array[int] = [0x2212, 0x2013, 0x2010, 0x2011, 0x2012, 0x2014, 0xfe63]
-# A space that breaks no line, as it is copied from pages; the engine does not take it for one.
-const _HARD_SPACE := "\u00a0"
 # Letters of full width, as East Asian keyboards write them, and their distance from ASCII.
 const _FULL_WIDTH := 0xff01
 const _FROM_ASCII := 0xfee0
@@ -49,12 +44,14 @@ static func value_of(text: String) -> float:
 
 
 static func _in_ascii(text: String) -> String:
-	var plain := text.replace(_HARD_SPACE, " ").strip_edges()
-	for dash in _DASHES:
-		plain = plain.replace(String.chr(dash), "-")
+	# A space that breaks no line, as it is copied from pages: the engine does not take it for one.
+	var plain := text.replace("\u00a0", " ").strip_edges()
 	for i in plain.length():
 		var code := plain.unicode_at(i)
-		if code >= _FULL_WIDTH:
+		if code == 0x2212 or code == 0xfe63 or (code >= 0x2010 and code <= 0x2014):
+			# A minus sign or dash, as word processors and people who write formulas put it.
+			plain[i] = "-"
+		elif code >= _FULL_WIDTH:
 			plain[i] = String.chr(code - _FROM_ASCII)
 	return plain.to_lower().replace(",", ".")
 

@@ -20,8 +20,6 @@ const NO_BREAK_SPACE := "\u00a0"
 # Letters at the end of a sentence between which no line ends.
 const _ENDING := 12
 
-static var _sign_finder := RegEx.create_from_string(" ([·−=<≤>/+]) ")
-
 ## The step that is shown, counted from 0: the first one at the start.
 var step: int:
 	get:
@@ -62,7 +60,10 @@ class Prediction:
 ## [param sentence] with spaces that do not break where a line must not end: beside a sign, as in
 ## `a · b`, and in the last few letters, so that no short word is left alone in the last line.
 static func kept_together(sentence: String) -> String:
-	var kept := _sign_finder.sub(sentence, NO_BREAK_SPACE + "$1" + NO_BREAK_SPACE, true)
+	var kept := sentence
+	for sign_between in "·−=<≤>/+":
+		var kept_sign := NO_BREAK_SPACE + sign_between + NO_BREAK_SPACE
+		kept = kept.replace(" " + sign_between + " ", kept_sign)
 	return kept.left(-_ENDING) + kept.right(_ENDING).replace(" ", NO_BREAK_SPACE)
 
 
