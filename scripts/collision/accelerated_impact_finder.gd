@@ -99,7 +99,7 @@ func _meets_at_start() -> bool:
 
 
 func _meets_point_at_start(cx: float, cy: float) -> bool:
-	if skips_start if _along < 0.0 else skips_end:
+	if _skips_cap(_along):
 		return false
 	if not _starts_inside(cx, cy):
 		return false
@@ -164,7 +164,7 @@ func _meets_between(from: float, to: float, entered_side: float, horizon: float)
 	elif _overlaps:
 		return _meets_after_overlap(to, horizon)
 	var entered := maxf(from, 0.0)
-	if skips_start if along < 0.0 else skips_end:
+	if _skips_cap(along):
 		return false
 	if along < 0.0:
 		feature = Impact.Feature.START
@@ -173,6 +173,11 @@ func _meets_between(from: float, to: float, entered_side: float, horizon: float)
 	feature = Impact.Feature.END
 	entered = _near_end(_along - _squared, _along_speed, _along_pull, entered, to)
 	return _meets_cap(_bx, _by, entered, to, horizon)
+
+
+# Whether the cap beside which the ball is, at its start or its end, is left out.
+func _skips_cap(along: float) -> bool:
+	return skips_start if along < 0.0 else skips_end
 
 
 # `to` is when the ball leaves the strip, not the horizon: so the horizon does not change a single

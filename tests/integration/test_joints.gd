@@ -1,11 +1,9 @@
 extends LabTest
 ## A chain of lines is one surface: a ball slides and bounces over its joints in the event world and
-## frame by frame, and is never stopped, thrown or let through. `./lab stability --fuzz` looks at
-## more chains.
+## frame by frame, and is never stopped, thrown or let through.
 
-## A tenth of the chains that a change of the worlds has to pass.
+## How many random chains are tried in each of the two.
 const _CHAINS := 2000
-const _GRAVITY := 300.0
 
 
 func test_a_slow_ball_slides_over_a_joint_at_every_angle() -> void:
@@ -39,7 +37,7 @@ func test_over_a_convex_joint_no_energy_is_lost_whatever_c_is() -> void:
 	case.seconds = 3.0
 	var end := case.world_at_end()
 	assert_gt(end.position_x(0), 100.0)
-	var squared := 400.0 + 2.0 * _GRAVITY * (end.position_y(0) + 10.0)
+	var squared := 400.0 + 2.0 * ChainCase.GRAVITY * (end.position_y(0) + 10.0)
 	assert_almost_eq(end.velocity(0).length_squared() / squared, 1.0, 1e-9)
 
 
@@ -67,7 +65,12 @@ func test_a_ball_that_flies_off_uphill_comes_back_to_the_end() -> void:
 	var up := Vec2.unit_radians(deg_to_rad(-60.0))
 	var case := _case([LineSegment.new(up.scaled(-200.0), Vec2.zero())])
 	var normal := Vec2.new(up.y, -up.x)
-	var speed := sqrt(1.1 * _GRAVITY * 10.0 * 0.5 + 2.0 * _GRAVITY * 20.0 * sin(deg_to_rad(60.0)))
+	var speed := sqrt(
+		(
+			1.1 * ChainCase.GRAVITY * 10.0 * 0.5
+			+ 2.0 * ChainCase.GRAVITY * 20.0 * sin(deg_to_rad(60.0))
+		)
+	)
 	case.ball = Ball.new(normal.scaled(10.0).plus(up.scaled(-20.0)), 10.0, up.scaled(speed))
 	for bounciness: float in [0.0, 0.5, 1.0]:
 		case.bounciness = bounciness
@@ -84,7 +87,7 @@ func test_a_fine_polygon_is_a_circle_to_first_order() -> void:
 		var flight := case.world()
 		while flight.position_x(0) < 0.0 and flight.time < 5.0:
 			assert_no_refusal(flight.advance(0.001))
-		var wanted := sqrt(2.0 * _GRAVITY * 190.0 * 0.5)
+		var wanted := sqrt(2.0 * ChainCase.GRAVITY * 190.0 * 0.5)
 		errors.append(absf(flight.velocity(0).length() / wanted - 1.0))
 	for i: int in errors.size():
 		assert_lt(errors[i], 2.0 * TAU / (90.0 * 2.0 ** i))

@@ -23,6 +23,14 @@ func problem(_seen: SeenLesson) -> String:
 	return ""
 
 
+## The first of [param problems] that is one; "" if none is.
+static func first_of(problems: PackedStringArray) -> String:
+	for found in problems:
+		if found:
+			return found
+	return ""
+
+
 ## The first claim in [param texts] that does not hold: [param claims] says for words whether what
 ## they claim is so. The longest words that a text holds count. A text without any of them is told,
 ## too, so that a new sentence gets its claim.

@@ -56,5 +56,7 @@ func test_a_ball_that_flies_off_a_circle_uphill_is_on_it_again() -> void:
 			found += 1
 			var at := from.plus(FreeFlight.motion(velocity, Vec2.new(0, 300), seconds))
 			assert_almost_eq(at.length(), 10.0, 1e-9)
+			var half := FreeFlight.motion(velocity, Vec2.new(0, 300), 0.5 * seconds)
+			assert_gt(from.plus(half).length(), 10.0, "it is outside until then")
 			assert_lt(velocity.y, 0.0, "it climbs")
 	assert_gt(found, 20)

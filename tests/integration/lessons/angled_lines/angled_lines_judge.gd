@@ -38,19 +38,18 @@ var _gravity: PackedFloat64Array
 
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
-	for found: String in [
-		_problem_of_status(seen),
-		_problem_of_surroundings(seen),
-		_problem_of_ball(seen),
-		_problem_of_sentence(seen),
-		_problem_of_bounce(seen),
-		_problem_of_labels(seen),
-		_problem_of_rows(seen),
-		false_claim([seen.notice] if seen.notice else [], {}),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			_problem_of_status(seen),
+			_problem_of_surroundings(seen),
+			_problem_of_ball(seen),
+			_problem_of_sentence(seen),
+			_problem_of_bounce(seen),
+			_problem_of_labels(seen),
+			_problem_of_rows(seen),
+			false_claim([seen.notice] if seen.notice else [], {}),
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

@@ -20,16 +20,15 @@ var _copies: bool
 func problem(seen: SeenLesson) -> String:
 	_step = seen.step
 	_copies = seen.state["copies"]
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences()),
-		false_claim(seen.labels, _claims_of_labels()),
-		_problem_of_rows(seen.rows),
-		"a card says “%s”" % seen.verdict[0] if seen.verdict else "",
-		"there is no reason for “%s”" % seen.notice if seen.notice else "",
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences()),
+			false_claim(seen.labels, _claims_of_labels()),
+			_problem_of_rows(seen.rows),
+			"a card says “%s”" % seen.verdict[0] if seen.verdict else "",
+			"there is no reason for “%s”" % seen.notice if seen.notice else "",
+		]
+	)
 
 
 func _claims_of_sentences() -> Dictionary[String, bool]:

@@ -22,17 +22,16 @@ var _normalizes: bool
 
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
-	for found: String in [
-		_problem_of_order(seen),
-		_problem_of_card(seen) if not seen.verdict.is_empty() else "",
-		_problem_of_sentence(seen),
-		_problem_of_rows(seen),
-		false_label(seen.labels, _claims_of_labels(seen.step)),
-		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			_problem_of_order(seen),
+			_problem_of_card(seen) if not seen.verdict.is_empty() else "",
+			_problem_of_sentence(seen),
+			_problem_of_rows(seen),
+			false_label(seen.labels, _claims_of_labels(seen.step)),
+			"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
+		]
+	)
 
 
 # u is the vector whose shadow falls on w.

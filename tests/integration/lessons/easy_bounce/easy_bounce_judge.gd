@@ -36,20 +36,19 @@ func problem(seen: SeenLesson) -> String:
 	_step = seen.step
 	_frame = _frame_in(seen.lines)
 	_take(seen.state)
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences()),
-		_problem_of_card(seen.verdict),
-		false_claim(seen.verdict, _claims_of_card()),
-		_problem_of_card_numbers(seen.verdict),
-		_problem_of_sign(seen.verdict_sign, seen.verdict),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels),
-		_problem_of_hits(seen.lines),
-		"there is no reason for “%s”" % seen.notice if seen.notice else "",
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences()),
+			_problem_of_card(seen.verdict),
+			false_claim(seen.verdict, _claims_of_card()),
+			_problem_of_card_numbers(seen.verdict),
+			_problem_of_sign(seen.verdict_sign, seen.verdict),
+			_problem_of_rows(seen.rows),
+			_problem_of_labels(seen.labels),
+			_problem_of_hits(seen.lines),
+			"there is no reason for “%s”" % seen.notice if seen.notice else "",
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

@@ -19,16 +19,15 @@ func problem(seen: SeenLesson) -> String:
 	var texts: PackedStringArray = [seen.progress]
 	if is_plotted:
 		texts.append(seen.sentence)
-	for found: String in [
-		false_claim(texts, _claims(seen.step, is_plotted)),
-		_problem_of_count(seen.progress),
-		_problem_of_rows(seen),
-		_problem_of_card(seen) if is_plotted else _problem_of_table(seen),
-		false_claim([seen.notice] if seen.notice else [], {}),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim(texts, _claims(seen.step, is_plotted)),
+			_problem_of_count(seen.progress),
+			_problem_of_rows(seen),
+			_problem_of_card(seen) if is_plotted else _problem_of_table(seen),
+			false_claim([seen.notice] if seen.notice else [], {}),
+		]
+	)
 
 
 func _claims(step: int, is_plotted: bool) -> Dictionary[String, bool]:

@@ -31,16 +31,15 @@ var _off: float
 
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
-	for found: String in [
-		_problem_of_card(seen),
-		_problem_of_sentence(seen.sentence, seen.step),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels, seen.step),
-		_problem_of_time(seen),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			_problem_of_card(seen),
+			_problem_of_sentence(seen.sentence, seen.step),
+			_problem_of_rows(seen.rows),
+			_problem_of_labels(seen.labels, seen.step),
+			_problem_of_time(seen),
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

@@ -27,15 +27,14 @@ func problem(seen: SeenLesson) -> String:
 	_facts = Facts.new()
 	_facts.take(seen.state)
 	_step = seen.step
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences()),
-		_problem_of_fields(seen.labels),
-		_problem_of_lines(seen.lines),
-		_problem_of_rows(seen.rows),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences()),
+			_problem_of_fields(seen.labels),
+			_problem_of_lines(seen.lines),
+			_problem_of_rows(seen.rows),
+		]
+	)
 
 
 func _claims_of_sentences() -> Dictionary[String, bool]:

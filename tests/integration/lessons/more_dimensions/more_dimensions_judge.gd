@@ -24,16 +24,15 @@ var _degrees_off: float
 func problem(seen: SeenLesson) -> String:
 	_step = seen.step
 	_take(seen.state)
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences()),
-		_problem_of_labels(seen.labels),
-		_problem_of_rows(seen.rows),
-		_problem_of_lines(seen.lines),
-		"there is no reason for “%s”" % seen.notice if seen.notice else "",
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences()),
+			_problem_of_labels(seen.labels),
+			_problem_of_rows(seen.rows),
+			_problem_of_lines(seen.lines),
+			"there is no reason for “%s”" % seen.notice if seen.notice else "",
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

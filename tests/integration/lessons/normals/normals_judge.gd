@@ -14,20 +14,19 @@ var _mistake: int
 
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences(seen.step)),
-		false_claim(seen.verdict, _claims_of_card()),
-		_problem_of_sign(seen.verdict_sign),
-		_problem_of_order(seen),
-		_problem_of_card_numbers(seen.verdict),
-		_problem_of_rows(seen.rows),
-		false_label(seen.labels, _claims_of_labels(seen)),
-		_problem_of_labels(seen.labels),
-		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences(seen.step)),
+			false_claim(seen.verdict, _claims_of_card()),
+			_problem_of_sign(seen.verdict_sign),
+			_problem_of_order(seen),
+			_problem_of_card_numbers(seen.verdict),
+			_problem_of_rows(seen.rows),
+			false_label(seen.labels, _claims_of_labels(seen)),
+			_problem_of_labels(seen.labels),
+			"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

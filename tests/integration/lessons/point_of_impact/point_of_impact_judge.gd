@@ -41,18 +41,17 @@ var _is_at_rest: bool
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	var numbers := _wanted_numbers()
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences(seen.step)),
-		false_claim(seen.verdict, _claims_of_card()),
-		_problem_of_sign(seen.verdict_sign),
-		false_number(seen.verdict, numbers, _t_off),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels, seen.step),
-		_problem_of_time(seen),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences(seen.step)),
+			false_claim(seen.verdict, _claims_of_card()),
+			_problem_of_sign(seen.verdict_sign),
+			false_number(seen.verdict, numbers, _t_off),
+			_problem_of_rows(seen.rows),
+			_problem_of_labels(seen.labels, seen.step),
+			_problem_of_time(seen),
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

@@ -19,17 +19,16 @@ var _turned_y: float
 
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences(seen)),
-		_problem_of_card(seen),
-		_problem_of_lines(seen.lines),
-		_problem_of_rows(seen),
-		false_label(seen.labels, _claims_of_labels(seen.step)),
-		"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences(seen)),
+			_problem_of_card(seen),
+			_problem_of_lines(seen.lines),
+			_problem_of_rows(seen),
+			false_label(seen.labels, _claims_of_labels(seen.step)),
+			"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:

@@ -36,17 +36,16 @@ var _is_refused: bool
 func problem(seen: SeenLesson) -> String:
 	_take(seen.state)
 	_step = seen.step
-	for found: String in [
-		false_claim([seen.sentence], _claims_of_sentences()),
-		_problem_of_card(seen),
-		_problem_of_rows(seen.rows),
-		_problem_of_labels(seen.labels),
-		_problem_of_table(seen.labels),
-		_problem_of_notice(seen.notice),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim([seen.sentence], _claims_of_sentences()),
+			_problem_of_card(seen),
+			_problem_of_rows(seen.rows),
+			_problem_of_labels(seen.labels),
+			_problem_of_table(seen.labels),
+			_problem_of_notice(seen.notice),
+		]
+	)
 
 
 func _take(state: Dictionary) -> void:
@@ -189,14 +188,13 @@ func _problem_of_card(seen: SeenLesson) -> String:
 		return ""
 	if _is_refused or _step < _SLIDE:
 		return "it is not known yet: “%s”" % seen.verdict[0]
-	for found: String in [
-		false_claim(seen.verdict, _claims_of_card()),
-		_problem_of_sign(seen.verdict_sign),
-		_problem_of_card_numbers(seen.verdict),
-	]:
-		if found:
-			return found
-	return ""
+	return first_of(
+		[
+			false_claim(seen.verdict, _claims_of_card()),
+			_problem_of_sign(seen.verdict_sign),
+			_problem_of_card_numbers(seen.verdict),
+		]
+	)
 
 
 func _claims_of_card() -> Dictionary[String, bool]:
