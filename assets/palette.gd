@@ -37,7 +37,51 @@ const _COLORS: Dictionary[Role, Color] = {
 	Role.WRONG: Color("b3261e"),
 }
 
+# The same for high contrast: on white each of them has a contrast of 7 or more.
+const _STRONG_COLORS: Dictionary[Role, Color] = {
+	Role.INK: Color("000000"),
+	Role.QUIET: Color("3a3f45"),
+	Role.A: Color("006046"),
+	Role.B: Color("a02800"),
+	Role.UNIT: Color("3f2e00"),
+	Role.PROJECTION: Color("0048a0"),
+	Role.REST: Color("7a2a7a"),
+	Role.RIGHT: Color("006046"),
+	Role.WRONG: Color("9c1006"),
+}
+# What replaces the colors of grounds and lines then.
+const _STRONG_GROUNDS: Dictionary[Color, Color] = {
+	PAPER: Color("ffffff"),
+	PANEL: Color("ffffff"),
+	GRID: Color("cccccc"),
+	BORDER: Color("000000"),
+	AXIS: Color("3a3f45"),
+	FOCUS: Color("0048a0"),
+}
+# Lines are drawn so many times as thick then.
+const _STRONG_STROKE := 1.4
+
+## Colors and lines are the ones of high contrast.
+static var is_high_contrast := false
+
 
 ## The color of a role.
 static func color(role: Role) -> Color:
-	return _COLORS[role]
+	return _STRONG_COLORS[role] if is_high_contrast else _COLORS[role]
+
+
+## What [param usual], a color of the palette by its constant, is drawn in now. Keeps the opacity.
+static func drawn(usual: Color) -> Color:
+	if not is_high_contrast:
+		return usual
+	var solid := Color(usual, 1.0)
+	var found: Color = _STRONG_GROUNDS.get(solid, solid)
+	for role in _COLORS:
+		if _COLORS[role] == solid:
+			found = _STRONG_COLORS[role]
+	return Color(found, usual.a)
+
+
+## How thick a line of [param width] pixels is drawn now.
+static func stroke(width: float) -> float:
+	return width * _STRONG_STROKE if is_high_contrast else width

@@ -37,7 +37,7 @@ func _plays_cleanly(lesson: Lesson, method: SteppingMethods.Method) -> bool:
 	var model: AngledLinesModel = lesson.get("_model")
 	var transport := lesson.services[&"transport"] as Transport
 	(lesson.services[&"options"] as LessonOptions).preset_picked.emit(FIFTY_BALLS)
-	model.set_method(method)
+	Refusal.push(model.set_method(method))
 	Engine.time_scale = SPEED
 	transport.is_playing = true
 	await _play_until(model, model.elapsed_seconds() + WARM_UP)

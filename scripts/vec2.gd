@@ -322,6 +322,7 @@ func cross(other: Vec2) -> float:
 func scalar_projection(onto: Vec2) -> float:
 	var squared := onto.length_squared()
 	if _are_ordinary(squared, x * x + y * y):
+		# The dot product, without another call: that is a fifth of the run time.
 		return (x * onto.x + y * onto.y) / sqrt(squared)
 	var factor := _factor_to_about_one(x, y)
 	return scaled(factor).dot(onto.normalized()) / factor

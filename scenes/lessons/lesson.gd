@@ -16,8 +16,13 @@ signal motion_ended
 ## The model is about to be shown afresh, on the board and in the panel: the time to fit a view and
 ## to measure.
 signal about_to_show
+## Another step is shown.
+signal step_changed
 ## A sentence for the notice line: what was refused and why. "" clears the line.
 signal noticed(message: String)
+
+## y points down here, whatever is chosen for the whole lab: gravity and floors need a below.
+@export var keeps_y_down := false
 
 ## The services that the lesson frame has brought, by the names in [member LessonInfo.needs].
 var services: Dictionary[StringName, Control] = {}
@@ -27,10 +32,15 @@ var step: int:
 	get:
 		return services[&"steps"].get(&"step") if services.has(&"steps") else 0
 
+## How many steps there are; 1 in a lesson without steps.
+var step_count: int:
+	get:
+		return services[&"steps"].get(&"count") if services.has(&"steps") else 1
+
 var _kept_model: LessonModel
 var _show_model: Callable
 var _points_to_show: Callable
-# Null once the student has made a change.
+# Null once the student has made a change or has let time run.
 var _opening: OpeningMotion
 
 ## The board on which the lesson draws.
@@ -66,6 +76,8 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
 			service.connect(&"view_changed", show_all)
+		if service.has_signal(&"step_changed"):
+			service.connect(&"step_changed", step_changed.emit.unbind(1))
 		if service.has_signal(&"halted"):
 			service.connect(&"halted", motion_ended.emit)
 	show_all()
@@ -73,22 +85,41 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 
 ## From the first frame until the student does anything, [param move] is called in each frame with
 ## the seconds since then. It changes the model, from where it starts at 0 seconds, and gives no
-## answer away; after [constant OpeningMotion.LONGEST] the lesson is at its start again. Comes after
-## [method begin]. Where motion is reduced, nothing moves.
+## answer away; after [constant OpeningMotion.LONGEST], or when the student steps forward before any
+## change, the lesson is at its start again. Comes after [method begin]. Where motion is reduced,
+## nothing moves.
 func open_with(move: Callable) -> void:
 	if not OpeningMotion.is_allowed or Motion.is_reduced():
 		return
 	var show_moved := func(seconds: float) -> void:
 		move.call(seconds)
 		_show_model.call()
-	_opening = OpeningMotion.new(show_moved, show_state.bind(state()))
+	var first := state()
+	_opening = OpeningMotion.new(show_moved, show_state.bind(first))
 	add_child(_opening)
+	if services.has(&"transport"):
+		Signal(services[&"transport"], &"advanced").connect(stop_opening.unbind(1))
+	if services.has(&"steps"):
+		Signal(services[&"steps"], &"going_forward").connect(_go_back_to.bind(first))
 
 
-## Ends what [method open_with] moves, and leaves it where it is.
+## Ends what [method open_with] moves, and leaves it where it is: the student has chosen this.
 func stop_opening() -> void:
 	if _opening:
 		_opening.stop()
+		_opening = null
+
+
+## Whether nothing was done yet in a lesson that moves by itself at first.
+func is_opening() -> bool:
+	return _opening != null
+
+
+## Shows a step, counted from 0, as a link names it: what is asked before it is asked no more.
+func show_step(at: int) -> void:
+	stop_opening()
+	if services.has(&"steps"):
+		services[&"steps"].call(&"open_at", at)
 
 
 ## Only for a lesson with steps. When the student goes forward to the step [param before], counted
@@ -182,14 +213,16 @@ func on_point(button: MouseButton, change: Callable) -> void:
 
 ## A change is complete: shows everything and has the lesson frame keep the state for undo.
 func finish_edit() -> void:
-	_opening = null
+	stop_opening()
 	_end_answer()
 	show_all()
 	edited.emit()
 
 
-## Fits the board and shows the model, here and where a service shows what is picked.
+## Fits the board and shows the model, here and where a service shows what is picked; with the
+## [Conventions] that are chosen.
 func show_all() -> void:
+	propagate_call(&"turn_over", [Conventions.is_y_up() and not keeps_y_down])
 	if _points_to_show:
 		var points: Array[Vec2] = _points_to_show.call()
 		board.fit(points)
@@ -204,6 +237,12 @@ func show_all() -> void:
 ## sets [member step], which is 0 at the start.
 func tell_steps(sentences: PackedStringArray) -> void:
 	services[&"steps"].call(&"tell", sentences)
+
+
+## Shows these lines of GDScript, which compute what the formula shows, and what comes out of them
+## with the values of [param inputs]; see [method LessonCode.show_code].
+func tell_code(lines: PackedStringArray, inputs: Dictionary[String, Variant]) -> void:
+	services[&"code"].call(&"show_code", lines, inputs)
 
 
 ## Stops what moves by itself, where the lesson has a transport.
@@ -255,6 +294,13 @@ func link_problem(linked: Dictionary) -> String:
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
 	show_state(_kept_model.state_of_link(linked) if _kept_model else linked)
+
+
+# The steps explain the lesson's own numbers, until the student has chosen others.
+func _go_back_to(first: Dictionary) -> void:
+	if _opening:
+		stop_opening()
+		show_state(first)
 
 
 # What was said about a prediction is about the board as it was.

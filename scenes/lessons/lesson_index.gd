@@ -59,3 +59,11 @@ static func refusal(id: String) -> String:
 ## The lesson's place in the order, from 1, in a demo too; 0 for one that is not in the index.
 static func number_of(lesson: LessonInfo) -> int:
 	return FOLDERS.find(lesson.resource_path.get_base_dir().get_file()) + 1
+
+
+## The lesson's number and its title in the reader's language: `4  The dot product`. A lesson that
+## is not in the index has no number.
+static func heading_of(lesson: LessonInfo) -> String:
+	var number := number_of(lesson)
+	var title := LabText.translate(lesson.title)
+	return "%d  %s" % [number, title] if number > 0 else title

@@ -7,36 +7,47 @@ const _LONGEST_SHOWN := 60
 
 var _id: String
 var _lesson: Lesson
+var _view: LinkView
 var _first: Dictionary
 
 
-## For [param lesson], which has just been started.
-func _init(id: String, lesson: Lesson) -> void:
+## For the lesson [param id] in [param view], which has just been started.
+func _init(id: String, view: FrameView) -> void:
 	_id = id
-	_lesson = lesson
-	_first = lesson.link_state()
+	_lesson = view.lesson
+	_view = LinkView.new(view)
+	_first = _lesson.link_state()
 
 
-## Shows the state [param text_of_state], as [LessonLink] reads it. "" if that could be done; else
-## one sentence on what is wrong, and nothing has changed.
+## Shows what [param text_of_state] says of the board, as [LessonLink] reads it, and of the view, as
+## [LinkView] does. "" if that could be done; else one sentence on what is wrong, and nothing has
+## changed.
 func open(text_of_state: String) -> String:
-	var link := _read(text_of_state)
+	var board_text := _view.board_part(text_of_state)
+	var link := _read(board_text)
 	if not link.problem:
-		_lesson.show_link(link.state)
-		return ""
-	return TranslationServer.translate("This link cannot be opened: %s") % link.problem
+		link.problem = _view.problem_in(text_of_state)
+	if link.problem:
+		return TranslationServer.translate("This link cannot be opened: %s") % link.problem
+	_lesson.show_link(link.state)
+	if board_text:
+		_lesson.stop_opening()
+	_view.show(text_of_state)
+	return ""
 
 
-## The text behind # in a link to the board as it is: `dot_product?a=7,1`.
+## The text behind # in a link to the board as it is: `dot_product?a=7,1&step=4`.
 func text() -> String:
-	var state := _lesson.link_state()
-	var differing := LessonLink.text_of(state, _lesson.link_base(_first, state))
-	return "%s?%s" % [_id, differing] if differing else _id
+	var parts: PackedStringArray = []
+	for part: String in [_board_text(), _view.text()]:
+		if part:
+			parts.append(part)
+	return "%s?%s" % [_id, "&".join(parts)] if parts else _id
 
 
 ## "" if the board as it is can be put into a link; else one sentence on why it cannot.
 func problem() -> String:
-	var found := _read(text().trim_prefix(_id).trim_prefix("?")).problem
+	var found := _read(_board_text()).problem
 	if not found:
 		return ""
 	return TranslationServer.translate("This board cannot be put into a link: %s") % found
@@ -64,10 +75,16 @@ func copy() -> String:
 	)
 
 
-func _read(text_of_state: String) -> LessonLink:
-	var link := LessonLink.read(text_of_state, _first)
+# A lesson in which nothing was done yet is at its start, wherever its opening has moved it.
+func _board_text() -> String:
+	var state := _first if _lesson.is_opening() else _lesson.link_state()
+	return LessonLink.text_of(state, _lesson.link_base(_first, state))
+
+
+func _read(board_text: String) -> LessonLink:
+	var link := LessonLink.read(board_text, _first)
 	if not link.problem:
-		link = LessonLink.read(text_of_state, _lesson.link_base(_first, link.state))
+		link = LessonLink.read(board_text, _lesson.link_base(_first, link.state))
 	if not link.problem:
 		link.problem = _lesson.link_problem(link.state)
 	return link

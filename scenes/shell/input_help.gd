@@ -10,6 +10,10 @@ const _NO_BREAK := "\u00a0"
 const _SIGNS: Dictionary[Key, String] = {
 	KEY_LEFT: "\u2190", KEY_UP: "\u2191", KEY_RIGHT: "\u2192", KEY_DOWN: "\u2193"
 }
+## What the mouse does needs no action in the InputMap: source text.
+const CLICKS: Dictionary[StringName, String] = {
+	&"left_click": "left click", &"right_click": "right click"
+}
 
 
 ## `R reset   Esc back`, for the keyboard or, with [param for_joypad], for a gamepad.
@@ -29,11 +33,18 @@ static func line(purposes: Dictionary[StringName, String], for_joypad: bool) -> 
 	return "     ".join(parts)
 
 
+## The first key of an action, such as `Ctrl+Z`; "" where it has none.
+static func key_of(action: StringName) -> String:
+	return _first_key(action, false)
+
+
 static func _together(keys: PackedStringArray) -> String:
 	return "".join(keys) if keys.size() <= 4 else "%s…%s" % [keys[0], keys[-1]]
 
 
 static func _first_key(action: StringName, for_joypad: bool) -> String:
+	if CLICKS.has(action):
+		return "" if for_joypad else str(TranslationServer.translate(CLICKS[action]))
 	for event in InputMap.action_get_events(action):
 		if for_joypad and event is InputEventJoypadButton:
 			return _button_name((event as InputEventJoypadButton).button_index)

@@ -1,26 +1,40 @@
 class_name LessonCard
-extends Button
-## A lesson on the start screen: picture, number, title and one line.
+extends ShelfCard
+## A lesson on the start screen: picture, number, title, one line, and what has been done in it.
 
-const _LOWEST := 336.0
-
-@onready var _margin: MarginContainer = $Margin
-
-
-func _ready() -> void:
-	_margin.minimum_size_changed.connect(_fit, CONNECT_DEFERRED)
+## The lesson that it opens.
+var lesson: LessonInfo
 
 
-## Shows what the index knows of [param lesson].
-func show_lesson(lesson: LessonInfo) -> void:
-	(%Title as Label).text = "%d  %s" % [LessonIndex.number_of(lesson), tr(lesson.title)]
-	(%Summary as Label).text = lesson.summary
+## Shows what the index knows of [param its_lesson].
+func show_lesson(its_lesson: LessonInfo) -> void:
+	lesson = its_lesson
+	_title.text = "%d  %s" % [LessonIndex.number_of(lesson), tr(lesson.title)]
+	_summary.text = lesson.summary
 	# A new lesson has none yet: ./lab pictures draws it.
 	if ResourceLoader.exists(lesson.card_path()):
-		(%Picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
-	accessibility_name = "%s. %s" % [(%Title as Label).text, tr(lesson.summary)]
+		(_picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
+	show_done(false)
 
 
-# A button does not grow by itself with what lies in it.
-func _fit() -> void:
-	custom_minimum_size.y = maxf(_LOWEST, _margin.get_combined_minimum_size().y)
+## Shows what has been done in the lesson, or that the student can [param begin_here].
+func show_done(begin_here: bool) -> void:
+	var done: PackedStringArray = []
+	if LessonsDone.has(LessonsDone.SEEN, lesson.id):
+		done.append(tr("Seen"))
+	if LessonsDone.has(LessonsDone.ANSWERED, lesson.id):
+		done.append(tr("Question answered"))
+	var words := done.duplicate()
+	if begin_here:
+		words.append(tr("Start here"))
+	var told := "   ".join(PackedStringArray(Array(done).map(_checked)))
+	if begin_here:
+		told = ("→ %s   %s" % [tr("Start here"), told]).strip_edges()
+	_tell_done(told, Palette.Role.PROJECTION if begin_here else Palette.Role.RIGHT)
+	words.insert(0, tr(lesson.summary))
+	words.insert(0, _title.text)
+	accessibility_name = ". ".join(words)
+
+
+static func _checked(words: String) -> String:
+	return "✓ " + words

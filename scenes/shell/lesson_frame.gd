@@ -10,9 +10,6 @@ signal other_lesson_wanted(lesson: LessonInfo)
 ## The scene of a service, `%` the name in [member LessonInfo.needs].
 const SERVICE_SCENE := "res://scenes/widgets/services/%s.tscn"
 
-## What is in this group can be hidden for a class, and keeps its place.
-const ANSWERS := &"answers"
-
 # The frame's own actions, with what each does in a word: source text.
 const _ACTIONS: Dictionary[StringName, String] = {
 	&"lab_reset": "reset",
@@ -21,14 +18,15 @@ const _ACTIONS: Dictionary[StringName, String] = {
 	&"lab_copy_link": "copy link",
 	&"lab_hide_answers": "hide answers",
 	&"lab_motion": "motion",
+	&"lab_view": "view",
 	&"ui_focus_next": "next part",
 }
 # Only where there is a way back: source text.
 const _WAY_BACK: Dictionary[StringName, String] = {&"lab_back": "back"}
 const _NO_ACTIONS: Dictionary[StringName, String] = {}
 
-## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo holds
-## only one.
+## The lesson to open, set before the lesson frame enters the tree; else the first one. A demo
+## holds only one.
 var lesson_info: LessonInfo
 
 ## The lesson inside.
@@ -37,11 +35,13 @@ var lesson: Lesson
 ## The link to its board.
 var link: BoardLink
 
+## How it is shown, with the menu for that.
+var view: FrameView
+
 # Null where the lesson could not be opened, as is the link.
 var _history: LessonHistory
 var _purposes: Dictionary[StringName, String] = _ACTIONS.duplicate()
 
-@onready var _body: BoxContainer = %Body
 @onready var _board_place: Control = %BoardPlace
 @onready var _services: VBoxContainer = %Services
 @onready var _panel: ScrollContainer = %Panel
@@ -50,8 +50,7 @@ var _purposes: Dictionary[StringName, String] = _ACTIONS.duplicate()
 @onready var _help: Label = %Help
 @onready var _undo: Button = %Undo
 @onready var _redo: Button = %Redo
-@onready var _answers: Button = %Answers
-@onready var _motion: Button = %Motion
+@onready var _ways: LessonWays = %Ways
 
 
 ## Notes the first error that is logged while it listens.
@@ -80,36 +79,56 @@ func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
 	LabText.choose_language()
+	LinkView.choose_language(LessonRequest.state_for(lesson_info.id))
 	InputActions.load_packed()
 	WindowFit.follow(get_window())
+	view = FrameView.new(self)
+	view.language_changed.connect(open_again)
+	add_child(view)
 	SoftwareDrawing.fill_window(get_window(), true)
 	Signs.add_to_font()
-	(%Title as Label).text = _title()
+	(%Title as Label).text = heading()
 	_offer_way_back()
+	add_child(LinkPaste.new(follow_link, _show_notice))
 	(%Reset as Button).pressed.connect(_act.bind(&"lab_reset"))
 	(%CopyLink as Button).pressed.connect(_act.bind(&"lab_copy_link"))
 	_undo.pressed.connect(_act.bind(&"lab_undo"))
 	_redo.pressed.connect(_act.bind(&"lab_redo"))
-	_answers.toggled.connect(_show_answers)
-	_motion.set_pressed_no_signal(not Motion.is_reduced())
-	_motion.toggled.connect(_allow_motion)
-	set_process(false)
-	resized.connect(_turn)
-	_turn()
 	_open()
 	_refresh_buttons()
 	_show_help(false)
 	PageText.tell_page(self, [%Title as Control, _board_place, _panel])
+	PageFocus.tell_page(self)
+	if not Keyboard.is_there:
+		add_child(MouseTooltips.new())
 
 
-## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone.
+## The lesson's number and title. A lesson that is not in the index has no number.
+func heading() -> String:
+	return LessonIndex.heading_of(lesson_info)
+
+
+## Opens a link such as `#dot_product?a=7,1`: in this lesson as a change that can be undone. An
+## empty one is the address of the start screen.
 func follow_link(text: String) -> void:
 	_end_drags()
 	_show_notice("")
+	if not LessonRequest.id_in(text):
+		left.emit()
+		return
 	LessonRequest.ask(text)
 	_open_requested()
 	if _history:
 		_history.store()
+
+
+## Builds the screen anew, as after a change of the language; board and step stay.
+func open_again() -> void:
+	LessonBoards.keep(lesson_info.id, view)
+	if other_lesson_wanted.has_connections():
+		other_lesson_wanted.emit(lesson_info)
+	else:
+		get_tree().reload_current_scene.call_deferred()
 
 
 func _exit_tree() -> void:
@@ -122,15 +141,6 @@ func _unhandled_input(event: InputEvent) -> void:
 	for action: StringName in [&"lab_undo", &"lab_redo", &"lab_reset", &"lab_copy_link"]:
 		if event.is_action_pressed(action, false, true):
 			_act(action)
-	if event.is_action_pressed(&"lab_hide_answers"):
-		_answers.button_pressed = not _answers.button_pressed
-	elif event.is_action_pressed(&"lab_motion"):
-		_motion.button_pressed = not _motion.button_pressed
-
-
-# Answers that come while all are hidden are hidden, too.
-func _process(_delta: float) -> void:
-	get_tree().set_group(ANSWERS, "modulate", Color.TRANSPARENT)
 
 
 func _input(event: InputEvent) -> void:
@@ -207,6 +217,10 @@ func _open() -> void:
 	_start_lesson()
 	OS.remove_logger(errors)
 	WebPage.follow_fragment(follow_link)
+	if other_lesson_wanted.has_connections():
+		_announce(_ways)
+		_ways.wanted.connect(other_lesson_wanted.emit)
+		_ways.offer(lesson_info, lesson)
 	if errors.first:
 		_say_why_not_opened(errors.first)
 		return
@@ -214,9 +228,19 @@ func _open() -> void:
 	_history.changed.connect(_refresh_buttons)
 	lesson.edited.connect(_history.store)
 	lesson.motion_ended.connect(_history.store_motion)
-	link = BoardLink.new(lesson_info.id, lesson)
+	link = BoardLink.new(lesson_info.id, view)
 	_open_requested()
 	_history.begin_here()
+	if WebPage.is_there():
+		_tell_page()
+
+
+# A demo alone adds no entry to the browser's history.
+func _tell_page() -> void:
+	var address := LessonAddress.new(lesson_info.id, link)
+	add_child(address)
+	var changes: Array[Signal] = [_history.changed, lesson.step_changed, Conventions.changed()]
+	address.tell_page(heading(), left.has_connections(), changes)
 
 
 func _start_lesson() -> void:
@@ -228,6 +252,7 @@ func _start_lesson() -> void:
 	_board_place.add_child(lesson)
 	lesson.noticed.connect(_show_notice)
 	lesson.start()
+	view.lesson = lesson
 	_release_lists()
 
 
@@ -236,6 +261,7 @@ func _say_why_not_opened(why: String) -> void:
 	if lesson:
 		lesson.queue_free()
 	lesson = null
+	view.lesson = null
 	for service in _services.get_children():
 		service.queue_free()
 	for button: Button in [%Reset, %CopyLink]:
@@ -246,7 +272,7 @@ func _say_why_not_opened(why: String) -> void:
 	words.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 	words.set_anchors_and_offsets_preset(PRESET_FULL_RECT, PRESET_MODE_MINSIZE, 24)
 	var paper := ColorRect.new()
-	paper.color = Palette.PAPER
+	paper.color = Palette.drawn(Palette.PAPER)
 	paper.set_anchors_preset(PRESET_FULL_RECT)
 	_board_place.add_child(paper)
 	_board_place.add_child(words)
@@ -255,6 +281,13 @@ func _say_why_not_opened(why: String) -> void:
 
 func _add_service(need: String) -> Control:
 	var service := (load(SERVICE_SCENE % need) as PackedScene).instantiate() as Control
+	take_in(service)
+	return service
+
+
+## Takes a service into the panel, as the last one. A lesson's own are there before it is seen; what
+## the whole lab adds comes later.
+func take_in(service: Control) -> void:
 	_announce(service)
 	_services.add_child(service)
 	if service.has_signal(&"refused"):
@@ -262,14 +295,17 @@ func _add_service(need: String) -> Control:
 	if service.has_signal(&"role_pointed"):
 		service.connect(&"role_pointed", lesson.light)
 	if service is FoldableContainer:
+		service.connect(&"folding_changed", _keep_in_view.bind(service).unbind(1))
+	if service.has_signal(&"board_wanted"):
 		service.resized.connect(_keep_in_view.bind(service))
 	if service.has_signal(&"mistake_picked"):
 		service.connect(&"mistake_picked", _keep_in_view.bind(service).unbind(1))
-	return service
+	if view.lesson:
+		_show_help(false)
 
 
 # A service or lesson with keys of its own lists their actions and purposes in a constant ACTIONS.
-func _announce(answering: Control) -> void:
+func _announce(answering: Node) -> void:
 	var script: Script = answering.get_script()
 	var actions: Dictionary[StringName, String] = script.get_script_constant_map().get(
 		"ACTIONS", _NO_ACTIONS
@@ -301,12 +337,6 @@ func _act(action: StringName) -> void:
 			_show_notice(problem if problem else link.copy(), not problem)
 
 
-# A lesson that is not in the index has no number.
-func _title() -> String:
-	var number := LessonIndex.number_of(lesson_info)
-	return "%d  %s" % [number, tr(lesson_info.title)] if number > 0 else tr(lesson_info.title)
-
-
 # Opens what was asked for: a state of this lesson's board, or another lesson.
 func _open_requested() -> void:
 	var id := LessonRequest.take_id()
@@ -314,20 +344,19 @@ func _open_requested() -> void:
 	if not wanted:
 		_show_notice(LessonIndex.refusal(id))
 	elif wanted != lesson_info or not link:
+		LessonBoards.forget(wanted.id)
 		other_lesson_wanted.emit(wanted)
 	else:
 		_open_state(LessonRequest.take_state(lesson_info.id), id != "")
 
 
-# A link that names only the lesson asks for its start. Without a link the lesson is at its start.
+# A link that names only the lesson asks for its start. Without a link the lesson is as it was
+# left.
 func _open_state(text_of_state: String, is_named: bool) -> void:
 	if not text_of_state and not is_named:
-		return
-	var problem := link.open(text_of_state)
-	if problem:
-		_show_notice(problem)
-	elif text_of_state:
-		lesson.stop_opening()
+		LessonBoards.bring_back(lesson_info.id, view)
+	else:
+		_show_notice(link.open(text_of_state))
 
 
 func _offer_way_back() -> void:
@@ -344,41 +373,17 @@ func _show_notice(message: String, is_news: bool = false) -> void:
 	_notice.text = message
 	_notice_place.visible = message != ""
 	_notice_place.theme_type_variation = &"PanelCard" if is_news else &"PanelNotice"
-	var below: Control = _panel if is_news else _board_place
+	var below: Control = _panel if is_news and _panel.is_visible_in_tree() else _board_place
 	var corner := below.global_position - _board_place.global_position + Vector2(10.0, 10.0)
 	_notice_place.set_begin(corner)
 	_notice_place.set_end(corner + Vector2(below.size.x - 20.0 - _board_place.size.x, 0.0))
 
 
-# The modulation is not the lesson's, as the visibility is.
-func _show_answers(on: bool) -> void:
-	set_process(not on)
-	get_tree().set_group(ANSWERS, "modulate", Color.WHITE if on else Color.TRANSPARENT)
-	# A still picture is drawn again when something in it is.
-	get_tree().call_group(ANSWERS, &"queue_redraw")
-	for service in _services.get_children():
-		if &"hides_numbers" in service:
-			service.set(&"hides_numbers", not on)
-
-
-func _allow_motion(on: bool) -> void:
-	Motion.reduce(not on)
-	if lesson and not on:
-		lesson.stop_opening()
-		lesson.pause()
-
-
 func _show_help(for_joypad: bool) -> void:
 	_help.text = InputHelp.line(_purposes, for_joypad)
+	view.layout.show_help()
 
 
 func _refresh_buttons() -> void:
 	_undo.disabled = not _history or not _history.has_undo()
 	_redo.disabled = not _history or not _history.has_redo()
-
-
-# Board above the panel in a tall window, beside it in a wide one.
-func _turn() -> void:
-	var is_tall := size.y > size.x
-	_body.vertical = is_tall
-	_panel.custom_minimum_size = Vector2(0.0, size.y * 0.44) if is_tall else Vector2(450.0, 0.0)

@@ -82,6 +82,7 @@ func _store(has_moved: bool) -> void:
 
 
 func _go(way: int) -> void:
+	_lesson.stop_opening()
 	store_motion()
 	var to := clampi(_at + way, 0, _states.size() - 1)
 	if to != _at:

@@ -11,6 +11,8 @@ static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	frame.lesson_info = lesson
 	frame.left.connect(open_start_screen.bind(tree, lesson))
 	frame.other_lesson_wanted.connect(func(other: LessonInfo) -> void: open_lesson(tree, other))
+	frame.ready.connect(DoneNotes.follow.bind(frame))
+	frame.ready.connect(WorkshopDesk.follow.bind(frame))
 	_change_scene.call_deferred(tree, frame)
 
 
@@ -22,9 +24,17 @@ static func open_start_screen(tree: SceneTree, left: LessonInfo) -> void:
 	_change_scene.call_deferred(tree, start_screen)
 
 
+## Shows [param screen], a screen of the lab of another kind, in place of the present scene.
+static func open_screen(tree: SceneTree, screen: Node) -> void:
+	_change_scene.call_deferred(tree, screen)
+
+
 static func _change_scene(tree: SceneTree, scene: Node) -> void:
 	# What is being typed is taken, or refused, while its scene is still there.
 	tree.root.gui_release_focus()
+	var frame := tree.current_scene as LessonFrame
+	if frame:
+		LessonBoards.keep(frame.lesson_info.id, frame.view)
 	if tree.current_scene:
 		tree.current_scene.free()
 	tree.root.add_child(scene)

@@ -68,7 +68,8 @@ static func _lines_in(control: Control) -> PackedStringArray:
 	# What is side by side is read as one line.
 	if lines and control is HBoxContainer:
 		return [" ".join(lines)]
-	if lines and control is HFlowContainer and control.get_children().all(_is_part_of_formula):
+	var flows := control is HFlowContainer or control is FormulaLine
+	if lines and flows and control.get_children().all(_is_part_of_formula):
 		return [_formula_of(lines)]
 	return lines
 

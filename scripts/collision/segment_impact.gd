@@ -27,6 +27,22 @@ static func with_segment(
 	return CapImpact.with_point(old_position, motion, radius, nearest, feature)
 
 
+## The first impact of a ball that moves by [param motion] from [param old_position], in pixels,
+## with any of the segments; [member Impact.segment_index] is the index of that segment. A miss if
+## the ball touches none of them. Only the first impact is certain to happen: the bounce changes the
+## path, so the ball may never reach the others.
+static func with_segments(
+	old_position: Vec2, motion: Vec2, radius: float, segments: Array[LineSegment]
+) -> Impact:
+	var earliest := Impact.miss(Impact.Outcome.TOO_FAR)
+	for i in segments.size():
+		var impact := with_segment(old_position, motion, radius, segments[i])
+		if impact.hit and (not earliest.hit or impact.fraction < earliest.fraction):
+			earliest = impact
+			earliest.segment_index = i
+	return earliest
+
+
 ## The first impact with one of the two round caps, as if the line between them were not there.
 static func with_caps(
 	old_position: Vec2, motion: Vec2, radius: float, segment: LineSegment

@@ -45,12 +45,30 @@ func board_state() -> Dictionary:
 	return {}
 
 
+## The right answer in one translated sentence with the numbers put in, such as
+## `n̂x = −0.3162, n̂y = 0.9487`. An exercise may say it better.
+func solution() -> String:
+	var parts: PackedStringArray = []
+	for i in answer_titles.size():
+		parts.append("%s %s" % [answer_titles[i], NumberText.short(right_answer[i])])
+	return ", ".join(parts)
+
+
 ## Adds a known mistake with the numbers that it leads to.
 func add_mistake(answer: PackedFloat64Array, sentence: String) -> void:
 	var mistake := Mistake.new()
 	mistake.answer = answer
 	mistake.sentence = sentence
 	mistakes.append(mistake)
+
+
+## The same where students give these numbers either as they are or all with the opposite sign.
+func add_mistake_of_either_sign(answer: PackedFloat64Array, sentence: String) -> void:
+	add_mistake(answer, sentence)
+	var opposite: PackedFloat64Array = []
+	for number: float in answer:
+		opposite.append(-number)
+	add_mistake(opposite, sentence)
 
 
 ## Right, a known mistake, or simply not right; [param answer] has as many numbers as were asked

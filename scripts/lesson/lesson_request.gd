@@ -27,16 +27,15 @@ static var _lesson_of_state := ""
 ## It may look as chats and mails leave it: `<#/Dot_Product/?a=7,1&amp;b=8,-6>.`
 static func ask(text: String) -> void:
 	_is_read = true
-	var plain := text
-	for i in _MOST_ESCAPES:
-		plain = _without_escapes(plain).xml_unescape()
-	plain = RegEx.create_from_string(_INSIDE).sub(plain, "", true)
-	plain = plain.to_lower().replace("\u00a0", " ").rstrip(_BEHIND)
-	plain = plain.substr(plain.find("#") + 1).lstrip("/! ").replace("?", "&")
-	_lesson_of_state = plain.get_slice("&", 0)
-	_state = plain.trim_prefix(_lesson_of_state).trim_prefix("&").replace(" ", "")
-	_lesson_of_state = _lesson_of_state.rstrip("/ ")
-	_id = _lesson_of_state
+	var plain := _plain(text)
+	_id = _id_of(plain)
+	_lesson_of_state = _id
+	_state = plain.trim_prefix(plain.get_slice("&", 0)).trim_prefix("&").replace(" ", "")
+
+
+## The id of the lesson that [param text] asks for; "" where it asks for none.
+static func id_in(text: String) -> String:
+	return _id_of(_plain(text))
 
 
 ## The id asked for; "" if none was. Only the first call returns it: later the start screen stays
@@ -52,9 +51,14 @@ static func take_id() -> String:
 ## The state asked for of the lesson [param id]; "" if none was. Only the first call returns it,
 ## whichever lesson it asks for.
 static func take_state(id: String) -> String:
-	var state := _state if id == _lesson_of_state else ""
+	var state := state_for(id)
 	_state = ""
 	return state
+
+
+## The same, and a later call returns it, too.
+static func state_for(id: String) -> String:
+	return _state if id == _lesson_of_state else ""
 
 
 ## The text in `--lesson=<...>`, the first of these command-line arguments that has that form; ""
@@ -69,6 +73,20 @@ static func text_in_arguments(arguments: PackedStringArray) -> String:
 static func _text_at_start() -> String:
 	var text := text_in_arguments(OS.get_cmdline_user_args())
 	return text if text else WebPage.fragment()
+
+
+# As it was before chats and mails touched it, with & between all its parts.
+static func _plain(text: String) -> String:
+	var plain := text
+	for i in _MOST_ESCAPES:
+		plain = _without_escapes(plain).xml_unescape()
+	plain = RegEx.create_from_string(_INSIDE).sub(plain, "", true)
+	plain = plain.to_lower().replace("\u00a0", " ").rstrip(_BEHIND)
+	return plain.substr(plain.find("#") + 1).lstrip("/! ").replace("?", "&")
+
+
+static func _id_of(plain: String) -> String:
+	return plain.get_slice("&", 0).rstrip("/ ")
 
 
 # The engine decodes escapes in capitals only: %2C, not %2c.

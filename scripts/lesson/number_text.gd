@@ -77,9 +77,16 @@ static func problem(text: String) -> String:
 	return sentence % LessonLink.quoted(text)
 
 
-## The number in [param text], for a text without a [method problem].
+## The number in [param text], for a text without a [method problem]. A fraction of two numbers such
+## as `2/5` is one, too.
 static func parse(text: String) -> float:
-	return DecimalText.value_of(text)
+	var parts := text.split("/")
+	if parts.size() != 2:
+		return DecimalText.value_of(text)
+	var divisor := DecimalText.value_of(parts[1])
+	var fraction := DecimalText.value_of(parts[0]) / divisor if divisor != 0.0 else NAN
+	# As small and as large as a number that is typed without a fraction.
+	return fraction if not is_nan(DecimalText.value_of(DecimalText.of(fraction))) else NAN
 
 
 static func _is_unhandy(value: float) -> bool:

@@ -3,10 +3,12 @@ extends RefCounted
 ## The page in the browser around the lab: its address, and what it is told. Where there is no page
 ## nothing happens.
 
-# Who is told that the part of the address from # on has changed, and the callback for the page: it
-# is freed if nothing keeps it.
+# Who is told that the part of the address from # on has changed, or that the keyboard comes into
+# the lab, and the callbacks for the page: they are freed if nothing keeps them.
 static var _follower: Callable
 static var _listener: JavaScriptObject
+static var _enterer: Callable
+static var _entrance: JavaScriptObject
 static var _has_told_first_frame := false
 
 
@@ -20,10 +22,27 @@ static func fragment() -> String:
 	return str(JavaScriptBridge.eval("window.location.hash")) if is_there() else ""
 
 
+## Puts [param text] behind the # of the address, or takes # away for "", as a new entry of the
+## history or in place of the present one; tells no follower.
+static func set_address(text: String, is_new: bool) -> void:
+	var code := (
+		"try{window.history.METHOD(null,'',%s||window.location.pathname+window.location.search)}"
+		+ "catch{}"
+	)
+	var method := "pushState" if is_new else "replaceState"
+	_run(code.replace("METHOD", method), "#" + text if text else "")
+
+
+## The page shows [param title], of the lesson that is open; its own for "".
+static func show_title(title: String) -> void:
+	_run("window.vec2_lab?.show_title?.(%s)", title)
+
+
 ## Puts [param text] behind the # of the address, so that loading the page again keeps it, and has
 ## the page copy the address and say so; tells no follower.
 static func copy_link(text: String) -> void:
-	_run("window.history.replaceState(null,'','#'+%s);window.vec2_lab?.copy_link?.()", text)
+	set_address(text, false)
+	_run("window.vec2_lab?.copy_link?.()")
 
 
 ## From now on [param follower], and nobody else, is called with the part of the address from # on
@@ -33,6 +52,21 @@ static func follow_fragment(follower: Callable) -> void:
 	if is_there() and not _listener:
 		_listener = JavaScriptBridge.create_callback(_tell_follower)
 		JavaScriptBridge.get_interface("window").call(&"addEventListener", "hashchange", _listener)
+
+
+## From now on [param enterer], and nobody else, is called when the Tab key leads into the lab from
+## what is in front of it.
+static func follow_entering(enterer: Callable) -> void:
+	_enterer = enterer
+	if is_there() and not _entrance:
+		_entrance = JavaScriptBridge.create_callback(_tell_enterer)
+		var window := JavaScriptBridge.get_interface("window")
+		window.call(&"addEventListener", "vec2_lab_entered", _entrance)
+
+
+## Tells the page what it needs to know of the lab, by name: whether Tab and the wheel are for it.
+static func tell(state: Dictionary) -> void:
+	_run("window.vec2_lab?.tell?.(%s)", state)
 
 
 ## Whether the person who uses the browser wants little to move by itself.
@@ -53,11 +87,16 @@ static func tell_first_frame() -> void:
 		_run("window.vec2_lab?.first_frame?.()")
 
 
-static func _run(code: String, text: String = "") -> void:
+static func _run(code: String, value: Variant = "") -> void:
 	if is_there():
-		JavaScriptBridge.eval(code.replace("%s", JSON.stringify(text)))
+		JavaScriptBridge.eval(code.replace("%s", JSON.stringify(value)))
 
 
 static func _tell_follower(_event: Array) -> void:
 	if _follower.is_valid():
 		_follower.call(fragment())
+
+
+static func _tell_enterer(_event: Array) -> void:
+	if _enterer.is_valid():
+		_enterer.call()

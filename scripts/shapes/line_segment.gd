@@ -3,6 +3,10 @@ extends RefCounted
 ## A straight line between two points. Some functions take it as the infinite line through both
 ## points, and say so.
 
+## A segment must be at least this long to be used, in pixels: the square of a shorter length could
+## not be held by a number.
+const SHORTEST := 1e-150
+
 ## The first point, in pixels.
 var start: Vec2
 ## The second point, in pixels.
@@ -50,12 +54,16 @@ func share_of(point: Vec2) -> float:
 
 
 ## "" if this segment can be used; otherwise one sentence with the value and what is allowed. Its
-## ends must be finite, apart, and within -[param largest]..[param largest] px.
+## ends must be finite, at least [constant SHORTEST] apart, and within
+## -[param largest]..[param largest] px.
 func problem(largest: float = INF) -> String:
 	if not (start.is_finite() and end.is_finite()):
 		return "A segment's ends must be finite, not %s and %s." % [start, end]
 	if length() == 0.0:
 		return "A segment must be longer than 0: both its ends are %s." % start
+	if length() < SHORTEST:
+		var size := String.num_scientific(length())
+		return "A segment must be at least 1e-150 px long, not %s px." % size
 	if not (start.is_within(largest) and end.is_within(largest)):
 		var limit := String.num_scientific(largest)
 		var values := [limit, limit, start, end]

@@ -25,7 +25,7 @@ def index(request, browser, site):
 
 def test_it_has_a_card_for_each_demo_in_order(index):
     hrefs = [link.get_attribute("href") for link in index.get_by_role("link").all()]
-    assert hrefs == [f"{demo}/index.html" for demo in DEMOS]
+    assert hrefs == ["lab/index.html", "notes.html"] + [f"{demo}/index.html" for demo in USES]
 
 
 def test_each_card_has_its_words_and_its_picture(index):
@@ -52,5 +52,8 @@ def test_each_page_leads_to_the_next_and_back(wide_context, site):
     for demo, following in zip(DEMOS, [*DEMOS[1:], None]):
         page.goto(f"{site}/{demo}/index.html")
         hrefs = [link.get_attribute("href") for link in page.locator("header").get_by_role("link").all()]
-        assert hrefs == ["../index.html"] + ([f"../{following}/index.html"] if following else [])
+        # The lab has the ways between its lessons inside.
+        has_next = following and demo != "lab"
+        assert hrefs == ["../index.html"] + ([f"../{following}/index.html"] if has_next else [])
+        assert page.locator("meta[name=description]").get_attribute("content")
     page.close()

@@ -13,6 +13,11 @@ def test_a_link_opens_a_board_of_the_whole_lab(demo):
     demo.read(r"a = \(3, 1\)")
 
 
+def test_a_link_asks_for_a_language_that_the_demo_speaks(demo):
+    demo.start("dot_product", "#dot_product?lang=nl")
+    demo.read(r"Stap 1 van \d")
+
+
 def test_a_link_that_makes_no_sense_is_told(demo):
     demo.start("dot_product", "#dot_product?a=7,one")
     demo.read(r"This link cannot be opened: .*one")

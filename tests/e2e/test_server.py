@@ -27,6 +27,7 @@ def ask(site):
         ("/dot_product/dot_product.pck", "application/octet-stream"),
         ("/cards/dot_product.png", "image/png"),
         ("/icon.svg", "image/svg+xml"),
+        ("/manifest.webmanifest", "application/manifest+json"),
     ],
 )
 def test_the_kind_of_each_file_is_told(ask, path, kind):

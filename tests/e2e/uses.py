@@ -24,27 +24,27 @@ class Use:
 
 USES = {
     # The tip of position.
-    "class_or_value": Use((235, 312), r"= Vec2\.new\(2, -3\)", r"= Vec2\.new\(0, -3\)", (175, 312)),
+    "class_or_value": Use((235, 334), r"= Vec2\.new\(2, -3\)", r"= Vec2\.new\(0, -3\)", (175, 334)),
     # An end of the floor.
-    "easy_bounce": Use((744, 441), r"tilt = 0°", r"tilt = [-−]?[1-9]", (744, 340)),
+    "easy_bounce": Use((714, 456), r"tilt = 0°", r"tilt = [-−]?[1-9]", (714, 350)),
     # The tip of v.
-    "normals": Use((631, 444), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 444)),
+    "normals": Use((631, 466), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 466)),
     # The tip of a, from (7, 1) to (3, 1).
-    "dot_product": Use((695, 399), r"a = \(7, 1\)", r"a = \(3, 1\)", (535, 399)),
+    "dot_product": Use((676, 418), r"a = \(7, 1\)", r"a = \(3, 1\)", (527, 418)),
     # The tip of a.
-    "projection_proof": Use((664, 414), r"a = \(7, 1\)", r"a = \(3, 1\)", (530, 414)),
+    "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The ball, further away.
-    "line_distance": Use((623, 311), r"c = \(120, -35\)", r"c = \(160, -35\)", (688, 311)),
+    "line_distance": Use((594, 329), r"c = \(120, -35\)", r"c = \(160, -35\)", (654, 329)),
     # Where the ball is after the frame: further away, so that it touches sooner in it.
-    "point_of_impact": Use((439, 540), r"new \(6, 42\)", r"new \(6, [56]\d\)", (439, 615)),
+    "point_of_impact": Use((438, 552), r"new \(6, 42\)", r"new \(6, [56]\d\)", (438, 612)),
     # Where the ball comes from: v changes from (3, 4) to (4, 4).
-    "reflection": Use((330, 249), r"v = \(3, 4\)", r"v = \(4, 4\)", (297, 249)),
+    "reflection": Use((319, 253), r"v = \(3, 4\)", r"v = \(4, 4\)", (287, 253)),
     # The next step: before it the lesson asks.
-    "angled_lines": Use((1244, 115), r"Drag on the board to draw a line", r"at its next touch\?"),
+    "angled_lines": Use((1244, 158), r"Drag on the board to draw a line", r"at its next touch\?"),
     # The situation "Miss".
-    "line_ends": Use((1172, 331), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
+    "line_ends": Use((1164, 465), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
     # The first component of a, from 4 to 2.
-    "more_dimensions": Use((476, 172), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (476, 210)),
+    "more_dimensions": Use((459, 157), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (459, 198)),
     # The next step, while it measures by itself: before it the lesson asks.
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
 }

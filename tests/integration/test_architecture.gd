@@ -6,9 +6,17 @@ const SCRIPTS := "res://scripts"
 const SCENES := "res://scenes"
 const WIDGETS := "res://scenes/widgets"
 const LESSONS := "res://scenes/lessons"
+const WORKSHOP := "res://workshop/kit"
 
 const OWN_FOLDERS: Array[String] = [
-	SCRIPTS, SCENES, "res://tests", "res://assets", "res://benchmarks", "res://docs", "res://tools"
+	SCRIPTS,
+	SCENES,
+	"res://tests",
+	"res://assets",
+	"res://benchmarks",
+	"res://docs",
+	"res://tools",
+	WORKSHOP
 ]
 
 ## Classes from which nothing below scripts/ may use anything: what needs a scene, and what the
@@ -58,6 +66,19 @@ func test_scripts_name_no_scene() -> void:
 	assert_eq(_references_between(SCRIPTS, SCENES), PackedStringArray())
 
 
+func test_scripts_name_nothing_of_the_workshop_and_the_workshop_names_no_scene() -> void:
+	assert_eq(_references_between(SCRIPTS, WORKSHOP), PackedStringArray())
+	assert_eq(_references_between(WORKSHOP, SCENES), PackedStringArray())
+
+
+func test_the_workshop_alone_gives_no_warnings_for_what_a_student_writes() -> void:
+	var rules: Dictionary = ProjectSettings.get_setting("debug/gdscript/warnings/directory_rules")
+	var of_student: int = rules["res://workshop"]
+	var of_kit: int = rules[WORKSHOP]
+	assert_eq(of_student, 0)
+	assert_eq(of_kit, 1)
+
+
 func test_widgets_name_no_lesson() -> void:
 	assert_eq(_references_between(WIDGETS, LESSONS), PackedStringArray())
 
@@ -84,6 +105,7 @@ func test_a_reference_by_path_or_by_class_is_found() -> void:
 
 func test_every_public_member_of_scripts_is_documented() -> void:
 	var files := SourceCode.files_below(SCRIPTS, ["gd"])
+	files.append_array(SourceCode.files_below(WORKSHOP, ["gd"]))
 	assert_has(files, SCRIPTS.path_join("vec2.gd"))
 	for file: String in files:
 		var undocumented := SourceCode.undocumented_members(FileAccess.get_file_as_string(file))

@@ -12,25 +12,28 @@ const _GOOD: Dictionary[String, Array] = {
 	"normals": ["line=0,0,3,-4&times=1", "mistake=9"],
 	"dot_product": ["a=3,4", "b=8,-6.5&b_from=1,1&is_swapped=true"],
 	"projection_proof": ["a=3,4&b=0.1,0"],
-	"line_distance": ["ball=75,25,30&from_share=0.8", "mistake=-2"],
+	"line_distance": ["ball=75,25,30&from_share=0.8", "mistake=-2", "speed=140&rule=2"],
 	"point_of_impact": ["old=6,-13&new=6,-3", "radius=0.5&mistake=15"],
 	"reflection": ["bounciness=0.5&along=-8,-6", "has_unit_normal=false&normal_length=3"],
 	"angled_lines":
 	[
 		"scene=3",
 		"scene=5&method=event_world",
+		"scene=10",
+		"scene=10&endless=false&method=whole_frame",
+		"method=position_reset&endless=true",
 		"gravity=0,0&balls=0,0,160,0,12&starts=0,0,160,0&lines=0,100,200,100;-200,50,-100,60",
 		"balls=900,0,1,0,12&mistake=14&method=position_reset",
 	],
 	"line_ends": ["shot=-6,-8,6,16,4&time=0.25"],
-	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1"],
+	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1", "has_five=true&fifth=3,-1"],
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
 	"easy_bounce":
 	{
-		"tilt_degrees=46": "The tilt must be within −45 and 45°, not 46°.",
+		"tilt_degrees=46": "The tilt must be within −45° and 45°, not 46°.",
 		"ball=0,0,0,0,-1": "r must be above 0 and at most 200, not −1.",
 	},
 	"normals": {"mistake=8": "mistake must be one of 0, "},
@@ -46,6 +49,8 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"line=1,1,1,1": "A segment must be longer than 0",
 		"ball=0,0,-5": "A ball's radius must be above 0 and finite, not -5",
 		"mistake=1": "mistake must be one of 0, -2, ",
+		"speed=0": "The speed must be above 0",
+		"rule=3": "rule must be within 0..2",
 	},
 	"point_of_impact": {"radius=0": "A ball's radius must be above 0"},
 	"reflection":
@@ -56,7 +61,9 @@ const _BAD: Dictionary[String, Dictionary] = {
 	},
 	"angled_lines":
 	{
-		"scene=10": "scene must be within 0..9, not 10.",
+		"scene=11": "scene must be within 0..10, not 11.",
+		"endless=true": "Only position reset knows endless lines",
+		"endless=true&method=position_reset&mistake=14": "mistake must be one of 0, not “14”.",
 		"method=verlet": "method must be one of position_reset, point_of_impact, whole_frame, ",
 		"selected=1": "selected must be within 0..0, not 1.",
 		"bounciness=-1": "The bounciness C must be within 0..1, not -1",
@@ -75,6 +82,7 @@ const _BAD: Dictionary[String, Dictionary] = {
 	},
 	"more_dimensions":
 	{
+		"fifth=1e7,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"a=1e7,0,0,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"view=0,2": "view must be within −1.4..1.4, not 2.",
 	},

@@ -31,7 +31,9 @@ var _all: Dependencies
 
 
 func before_all() -> void:
-	_all = Dependencies.below([SCRIPTS, "res://scenes", "res://assets", "res://tools"])
+	_all = Dependencies.below(
+		[SCRIPTS, "res://scenes", "res://assets", "res://tools", "res://workshop/kit"]
+	)
 
 
 func test_files_name_each_other_in_no_circle() -> void:

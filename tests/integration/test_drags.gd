@@ -23,7 +23,7 @@ func test_whatever_ends_a_drag_ends_it_on_handle_board_and_graph() -> void:
 	for end: String in _ENDS:
 		await open_lesson(LessonIndex.find(&"dot_product"))
 		await go_to_step()
-		var graph := Screen.named(screen(), "a · b for each angle").get_global_rect().get_center()
+		var graph := Screen.named(screen(), "a · b, right: cos φ").get_global_rect().get_center()
 		for at: Vector2 in [_place(7, 1), _place(-3, -4), graph]:
 			await _hold_and_move(at)
 			await _end(end)

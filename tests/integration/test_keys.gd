@@ -6,7 +6,7 @@ const _MOST_TABS := 200
 
 func test_space_on_a_focused_button_presses_it_and_no_more() -> void:
 	for lesson: LessonInfo in _with(&"transport"):
-		await open_lesson(lesson)
+		await _open_where_time_runs(lesson)
 		var slow := Screen.button(screen(), "Slow motion")
 		for title: String in ["Play or pause", "One frame on", "Copy a link to this board"]:
 			Screen.button(screen(), title).grab_focus()
@@ -20,7 +20,7 @@ func test_space_on_a_focused_button_presses_it_and_no_more() -> void:
 
 func test_after_a_click_on_a_button_space_is_slow_motion_again() -> void:
 	for lesson: LessonInfo in _with(&"transport"):
-		await open_lesson(lesson)
+		await _open_where_time_runs(lesson)
 		await click_button("Play or pause")
 		await student.press_key(KEY_SPACE)
 		assert_true(Screen.button(screen(), "Slow motion").button_pressed, lesson.id)
@@ -105,7 +105,7 @@ func test_space_on_a_handle_which_does_not_use_it_is_slow_motion() -> void:
 
 func test_s_is_one_frame_of_time_and_leaves_the_step_of_the_explanation() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
-		await open_lesson(lesson)
+		await _open_where_time_runs(lesson)
 		var shown := frame().lesson.step
 		var seconds := _count_seconds()
 		await student.press_key(KEY_S)
@@ -115,6 +115,18 @@ func test_s_is_one_frame_of_time_and_leaves_the_step_of_the_explanation() -> voi
 		assert_eq(seconds.map(signf), wanted, lesson.id)
 		assert_eq(frame().lesson.step, shown, lesson.id)
 		screen().free()
+
+
+func test_what_a_lesson_does_not_show_yet_answers_to_no_key() -> void:
+	await open_lesson(LessonIndex.find(&"line_distance"))
+	var transport := frame().lesson.services[&"transport"] as Transport
+	assert_false(transport.visible)
+	var seconds := _count_seconds()
+	for key: Key in [KEY_P, KEY_S, KEY_SPACE]:
+		await student.press_key(key)
+	assert_eq(seconds, [])
+	assert_false(transport.is_playing)
+	assert_false((transport.get_node("%Slow") as Button).button_pressed)
 
 
 func test_n_and_the_page_keys_step_the_explanation_and_leave_time_alone() -> void:
@@ -144,6 +156,14 @@ func test_the_digits_of_the_keypad_choose_what_the_digits_choose() -> void:
 		await student.press_key((KEY_KP_0 + digit) as Key)
 		var preset: int = frame().lesson.state()["preset"]
 		assert_eq(preset, digit)
+
+
+# A lesson may have no use for time before its last step.
+func _open_where_time_runs(lesson: LessonInfo) -> void:
+	await open_lesson(lesson)
+	var transport: Transport = frame().lesson.services.get(&"transport")
+	if transport and not transport.visible:
+		await go_to_step()
 
 
 # Chooses another entry of an open list.

@@ -3,6 +3,8 @@ extends LabTest
 
 const _LESSONS := "res://scenes/lessons/"
 const _SERVICES := "res://scenes/widgets/services/"
+# The methods of a lesson that use a service for it.
+const _CALLS: Dictionary[String, String] = {"steps": "tell_steps(", "code": "tell_code("}
 
 
 func test_the_index_names_every_folder_once_and_no_other() -> void:
@@ -54,8 +56,8 @@ func test_the_index_finds_each_lesson_by_id_and_says_its_place() -> void:
 	assert_null(LessonIndex.find("no_such_lesson"))
 
 
-# A lesson uses a service if one of its scripts names the service's class, or, for the steps, calls
-# `tell_steps`.
+# A lesson uses a service if one of its scripts names the service's class, or calls the method with
+# which a lesson uses it.
 func test_lessons_need_exactly_the_services_that_their_scripts_use() -> void:
 	var classes := _service_classes()
 	assert_gt(classes.size(), 5, "services were found")
@@ -63,9 +65,8 @@ func test_lessons_need_exactly_the_services_that_their_scripts_use() -> void:
 		var code := _code_in(lesson.resource_path.get_base_dir())
 		var used := classes.keys().filter(
 			func(need: String) -> bool:
-				return (
-					_names(code, classes[need]) or need == "steps" and code.contains("tell_steps(")
-				)
+				var is_called := _CALLS.has(need) and code.contains(_CALLS[need])
+				return is_called or _names(code, classes[need])
 		)
 		var needed := Array(lesson.needs)
 		needed.sort()

@@ -14,7 +14,6 @@ func before_each() -> void:
 
 func after_each() -> void:
 	OpeningMotion.is_allowed = false
-	DirAccess.remove_absolute(Motion.file)
 	await super()
 
 
@@ -136,11 +135,12 @@ func test_the_switch_stops_what_moves_and_is_remembered() -> void:
 	await student.press(&"lab_motion")
 	assert_false(transport.is_playing)
 	assert_true(Motion.is_reduced())
-	assert_eq(FileAccess.get_file_as_string(Motion.file), "reduced")
+	KeptChoices.read_again()
+	assert_true(Motion.is_reduced(), "kept in a file")
 	screen().free()
 	await open_lesson(LessonIndex.find(_LESSON))
-	assert_false(Screen.button(screen(), "Motion").button_pressed)
-	await click_button("Motion")
+	assert_false(frame().view.menu.is_on(&"lab_motion"))
+	await pick_in_view_menu("Motion")
 	assert_false(Motion.is_reduced())
 
 

@@ -9,7 +9,7 @@ func test_a_lesson_says_title_verdict_step_formula_and_readout() -> void:
 	assert_eq(lines[0], "4  The dot product")
 	for line: String in [
 		"+ Scalar projection 5",
-		"Step 5 of 7 What is left of a, the rest a − p, is perpendicular to b.",
+		"Step 5 of 9 What is left of a, the rest a − p, is perpendicular to b.",
 		"a = (7, 1)",
 		"a · b = 7·8 + 1·(−6) = 50",
 	]:

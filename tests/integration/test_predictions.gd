@@ -11,7 +11,7 @@ func before_each() -> void:
 
 func test_the_question_comes_before_the_step_that_shows_the_answer() -> void:
 	await student.press(&"lab_next_step")
-	assert_reads("Step 2 of 7")
+	assert_reads("Step 2 of 9")
 	assert_reads("Where does the shadow of a end?")
 	assert_true(_guess().visible)
 	assert_does_not_read("Scalar projection")
@@ -21,12 +21,12 @@ func test_a_guess_is_judged_when_the_step_is_shown() -> void:
 	await student.press(&"lab_next_step")
 	await drag(Vec2.new(7.5, -2.5), Vec2.new(5, -2))
 	await student.press(&"lab_next_step")
-	assert_reads("Step 3 of 7")
+	assert_reads("Step 3 of 9")
 	# From (5, -2) to (4, -3).
 	assert_reads("Your guess was 1.4 off.")
 	assert_true(_guess().visible)
 	await student.press(&"lab_next_step")
-	assert_reads("Step 4 of 7")
+	assert_reads("Step 4 of 9")
 	assert_does_not_read("off.")
 	assert_false(_guess().visible)
 
@@ -50,7 +50,7 @@ func test_the_keys_move_the_guess() -> void:
 func test_without_a_guess_the_step_is_simply_shown() -> void:
 	await student.press(&"lab_next_step")
 	await student.press(&"lab_next_step")
-	assert_reads("Step 3 of 7")
+	assert_reads("Step 3 of 9")
 	assert_does_not_read("off.")
 	assert_false(_guess().visible)
 
@@ -60,7 +60,7 @@ func test_it_is_asked_once_and_again_after_a_reset() -> void:
 		await student.press(&"lab_next_step")
 	await student.press(&"lab_previous_step")
 	await student.press(&"lab_next_step")
-	assert_reads("Step 3 of 7")
+	assert_reads("Step 3 of 9")
 	await student.press(&"lab_previous_step")
 	await student.press(&"lab_reset")
 	await student.press(&"lab_next_step")
@@ -70,7 +70,7 @@ func test_it_is_asked_once_and_again_after_a_reset() -> void:
 func test_a_question_can_be_taken_back() -> void:
 	await student.press(&"lab_next_step")
 	await student.press(&"lab_previous_step")
-	assert_reads("Step 2 of 7")
+	assert_reads("Step 2 of 9")
 	assert_reads("Divide b by its length")
 	assert_false(_guess().visible)
 
@@ -106,14 +106,14 @@ func test_an_edit_keeps_a_question_and_asks_it_with_the_new_numbers() -> void:
 func test_where_there_is_no_shadow_nothing_is_asked() -> void:
 	await click_button("Zero")
 	await student.press(&"lab_next_step")
-	assert_reads("Step 3 of 7")
+	assert_reads("Step 3 of 9")
 
 
 func test_a_guess_is_not_kept_for_undo_or_links() -> void:
 	await student.press(&"lab_next_step")
 	await drag(Vec2.new(7.5, -2.5), Vec2.new(5, -2))
 	assert_true((frame().get_node("%Undo") as Button).disabled)
-	assert_eq(frame().link.text(), "dot_product")
+	assert_eq(frame().link.text(), "dot_product?step=2")
 
 
 func test_what_lies_below_an_answered_guess_can_be_taken() -> void:
@@ -140,7 +140,7 @@ func test_a_choice_is_judged_when_the_step_is_shown() -> void:
 		await student.press(&"lab_next_step")
 		assert_reads("Is it longer?")
 		await click_button("longer")
-		assert_reads("Step 5 of 7")
+		assert_reads("Step 5 of 9")
 		assert_reads("Right: longer" if right == 0 else "No, shorter")
 		assert_null(Screen.button(screen(), "longer"))
 
@@ -150,7 +150,7 @@ func test_without_a_choice_the_step_is_simply_shown() -> void:
 	frame().lesson.ask_choice_before(4, "Is it longer?", _CHOICES, func() -> int: return 0)
 	await student.press(&"lab_next_step")
 	await student.press(&"lab_next_step")
-	assert_reads("Step 5 of 7")
+	assert_reads("Step 5 of 9")
 	assert_does_not_read("Right: ")
 	assert_null(Screen.button(screen(), "longer"))
 
@@ -159,7 +159,7 @@ func test_a_choice_with_nothing_right_is_not_asked() -> void:
 	await go_to_step(3)
 	frame().lesson.ask_choice_before(4, "Is it longer?", _CHOICES, func() -> int: return -1)
 	await student.press(&"lab_next_step")
-	assert_reads("Step 5 of 7")
+	assert_reads("Step 5 of 9")
 
 
 func _guess() -> Guess:

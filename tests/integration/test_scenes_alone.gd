@@ -2,7 +2,7 @@ extends ScreenTest
 ## Every scene can be run by itself, as F6 in the editor does. A lesson's scene then opens the
 ## lesson in its lesson frame.
 
-const _FOLDERS: PackedStringArray = ["res://scenes", "res://tests/support"]
+const _FOLDERS: PackedStringArray = ["res://scenes", "res://tests/support", "res://workshop"]
 const _FRAMES := "10"
 
 

@@ -85,6 +85,41 @@ func test_a_question_is_picked_with_the_state_that_shows_it() -> void:
 	assert_signal_emitted_with_parameters(question, "picked", [{"a": 3.0}])
 
 
+func test_the_questions_of_the_lecture_come_first_each_once() -> void:
+	var question := _added("question") as Question
+	var fresh := func(kind: int, _rng: RandomNumberGenerator) -> Exercise:
+		return _named("fresh %d" % kind)
+	var of_the_lecture := func(kind: int) -> Exercise:
+		return _named("lecture %d" % kind) if kind != 1 else null
+	question.offer(fresh, 3, 2, of_the_lecture)
+	for wanted: String in ["lecture 2", "lecture 0", "fresh 2", "fresh 0", "fresh 1", "fresh 2"]:
+		assert_eq((question.get_node("%Prompt") as Label).text, wanted)
+		(question.get_node("%New") as Button).pressed.emit()
+
+
+func test_the_solution_is_shown_to_who_asks_for_it_and_goes_with_its_question() -> void:
+	var question := _added("question") as Question
+	var exercise := _named("one")
+	exercise.answer_titles = ["x ="]
+	exercise.right_answer = [7.0]
+	_offer(question, exercise)
+	var solution := question.get_node("%Solution") as Label
+	assert_false(solution.visible)
+	(question.get_node("%ShowSolution") as Button).pressed.emit()
+	assert_true(solution.visible)
+	assert_eq(solution.text, "x = 7")
+	assert_true(solution.is_in_group(FrameView.ANSWERS), "the key that hides answers hides it")
+	assert_false((question.get_node("%Show") as Button).disabled)
+	(question.get_node("%New") as Button).pressed.emit()
+	assert_false(solution.visible)
+
+
+func _named(prompt: String) -> Exercise:
+	var exercise := Exercise.new()
+	exercise.prompt = prompt
+	return exercise
+
+
 func _added(service: String) -> Control:
 	var added := (load(_FOLDER + service + ".tscn") as PackedScene).instantiate() as Control
 	add_child_autofree(added)

@@ -7,9 +7,11 @@ const _LOCALE := "eo"
 const _OPEN := "‹"
 const _CLOSE := "›"
 ## Words that are the same in every language, besides what is printed on keys: symbols of the
-## formulas, and code.
+## formulas, code, and the name of a language.
 const _SYMBOLS := "px py nx ny bx by ac cos sin atan log POI old new now gap"
-const _CODE := "Vec Vector copy position value normal bounce reflect slide"
+const _CODE := "English GDScript Vec Vector copy position value normal bounce reflect slide"
+## Actions of the engine that a help line names, besides the lab's own.
+const _ENGINE_ACTIONS: Array[StringName] = [&"ui_focus_next", &"ui_home", &"ui_end", &"ui_accept"]
 
 var _old_locale := ""
 var _language: Translation
@@ -104,6 +106,8 @@ func _assert_nothing_in_english(place: String) -> void:
 func _shown_texts() -> PackedStringArray:
 	var found: PackedStringArray = []
 	for control: Control in Screen.controls(screen()):
+		if control.get_parent() is LessonCode:
+			continue
 		if control is Formula:
 			found.append_array(Screen.lines(control as Formula))
 		elif not control.get_parent().get_parent() is Formula:
@@ -112,7 +116,7 @@ func _shown_texts() -> PackedStringArray:
 		found.append(_tooltip_of(control))
 	for node: Node in screen().find_children("*", "Node2D", true, false):
 		if node is Arrow and (node as Arrow).is_visible_in_tree():
-			found.append(tr((node as Arrow).label))
+			found.append(node.atr((node as Arrow).label))
 	return found + _items_of_lists()
 
 
@@ -146,7 +150,7 @@ func _untranslated_words(text: String) -> PackedStringArray:
 func _words_on_keys() -> PackedStringArray:
 	var found: PackedStringArray = ["Esc"]
 	for action: StringName in InputMap.get_actions():
-		if not action.begins_with("lab_") and action != &"ui_focus_next":
+		if not action.begins_with("lab_") and not action in _ENGINE_ACTIONS:
 			continue
 		for event: InputEvent in InputMap.action_get_events(action):
 			found.append_array(event.as_text().replace("+", " ").split(" "))

@@ -108,5 +108,5 @@ func _nudge() -> void:
 
 
 func _point_at_graph() -> void:
-	var plot := Screen.named(screen(), "a · b for each angle")
+	var plot := Screen.named(screen(), "a · b, right: cos φ")
 	await student.click_at(plot.get_global_rect().get_center())

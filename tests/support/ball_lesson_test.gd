@@ -31,7 +31,7 @@ func formula_lines() -> PackedStringArray:
 ## The text in a row of the readout, counted from 1 below the headings, and a column, from 0.
 func readout_text(row: int, column: int) -> String:
 	var readout := frame().lesson.services[&"readout"] as Readout
-	return (readout.get_child(row * readout.columns + column) as Label).text
+	return readout.cell(row, column).text
 
 
 ## Whether each of the named parts of the drawing is visible.

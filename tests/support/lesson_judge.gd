@@ -35,7 +35,8 @@ static func first_of(problems: PackedStringArray) -> String:
 ## they claim is so. The longest words that a text holds count. A text without any of them is told,
 ## too, so that a new sentence gets its claim.
 static func false_claim(texts: PackedStringArray, claims: Dictionary[String, bool]) -> String:
-	for text in texts:
+	for shown in texts:
+		var text := in_degrees(shown)
 		var found := ""
 		for words in claims:
 			if text.contains(words) and words.length() > found.length():
@@ -47,10 +48,16 @@ static func false_claim(texts: PackedStringArray, claims: Dictionary[String, boo
 	return ""
 
 
+## [param text] with its right angles in degrees, as claims have them, where the lab uses radians.
+static func in_degrees(text: String) -> String:
+	return text.replace("π/2", "90°") if Conventions.uses_radians() else text
+
+
 ## The first of [param labels] that is not one of [param claims], or should not be there. The claims
 ## say for whole labels whether they may be on the board.
 static func false_label(labels: PackedStringArray, claims: Dictionary[String, bool]) -> String:
-	for label in labels:
+	for shown in labels:
+		var label := in_degrees(shown)
 		if not claims.has(label):
 			return "no claim is known for the label “%s”" % label
 		if not claims[label]:

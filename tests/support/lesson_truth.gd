@@ -93,9 +93,23 @@ func _look() -> void:
 		var problems: PackedStringArray = _reader.call(&"problems", _lines_of(formula))
 		for sentence in problems:
 			_tell(sentence)
-	var problem := _judge.problem(SeenLesson.of(_frame))
-	if problem:
-		_tell(problem)
+	var seen := SeenLesson.of(_frame)
+	for problem: String in [_judge.problem(seen), _problem_of_unit(seen)]:
+		if problem:
+			_tell(problem)
+
+
+# In radians nothing is written in degrees but what the report calls its cases, and nothing in
+# radians otherwise.
+func _problem_of_unit(seen: SeenLesson) -> String:
+	if _frame.lesson_info.id == &"error_and_time":
+		return ""
+	var texts := PackedStringArray([seen.sentence]) + seen.verdict + seen.lines + seen.labels
+	var other_unit := "°" if Conventions.uses_radians() else "π| rad\\b"
+	for text in texts:
+		if RegEx.create_from_string(other_unit).search(text):
+			return "it is not the unit that was chosen: “%s”" % text
+	return ""
 
 
 func _tell(sentence: String) -> void:

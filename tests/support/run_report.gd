@@ -7,6 +7,8 @@ extends "res://addons/gut/hook_script.gd"
 const REPORT := "res://build/test/report.txt"
 ## How the runner ends a failure's text.
 const AT_LINE := "  at line "
+# A student's own tests are run by the workshop's kit.
+const _OF_THE_WORKSHOP := "res://workshop/"
 
 var _passed := 0
 var _problems := PackedStringArray()
@@ -93,6 +95,8 @@ func _look_for_scripts_not_run() -> void:
 		if script.was_run or script.was_skipped:
 			tests_of[script.path] = tests_of.get(script.path, 0) + script.tests.size()
 	for path: String in ScriptsOnDisk.tests_below("res://"):
+		if path.begins_with(_OF_THE_WORKSHOP):
+			continue
 		if not tests_of.has(path):
 			if RunOptions.asks_for(path):
 				_problems.append("%s was not run: it does not parse, or lies outside tests/" % path)

@@ -16,12 +16,15 @@ func before_all() -> void:
 		(layer as CanvasLayer).hide()
 	# What opens a lesson moves only in a test that asks for it.
 	OpeningMotion.is_allowed = false
-	Motion.file = "user://motion_in_tests.txt"
+	# Two test runs at once keep their choices apart.
+	KeptChoices.file = "user://choices_in_tests_%d.cfg" % OS.get_process_id()
 	# The engine sleeps that long after each frame when no window is drawn.
 	OS.low_processor_usage_mode_sleep_usec = 1
 
 
 func before_each() -> void:
+	# Error and run time are folded until somebody wants them: these tests read them.
+	KeptChoices.keep("numbers", true)
 	student = Student.new(get_tree().root)
 	student.window.size = _USUAL_SIZE
 	student.move_to(Vector2.ZERO)
@@ -29,8 +32,17 @@ func before_each() -> void:
 
 func after_each() -> void:
 	student.window.gui_release_focus()
+	LessonBoards.forget_all()
 	if get_tree().current_scene:
 		get_tree().current_scene.free()
+	# The start screen's cards watch the student's files. The next test has files of its own.
+	for watcher: Node in get_tree().root.find_children("*", "WorkshopWatcher", false, false):
+		watcher.free()
+	for choice: Conventions.Choice in Conventions.Choice.values():
+		if Conventions.is_chosen(choice):
+			Conventions.choose(choice, false)
+	DirAccess.remove_absolute(KeptChoices.file)
+	KeptChoices.read_again()
 	await student.settle()
 
 
@@ -71,6 +83,22 @@ func click_button(text: String) -> void:
 	assert_not_null(button, "a button “%s” is there" % text)
 	if button:
 		await student.click(button)
+
+
+## Opens the menu of the lesson frame and picks the entry that begins with this text.
+func pick_in_view_menu(text: String) -> void:
+	var menu := frame().view.menu
+	await student.click(menu)
+	var popup := menu.get_popup()
+	for entry: int in popup.item_count:
+		if popup.get_item_text(entry).begins_with(text):
+			for step: int in entry + 1:
+				if popup.get_focused_item() != entry:
+					await student.press_key(KEY_DOWN)
+			assert_eq(popup.get_focused_item(), entry)
+			await student.press_key(KEY_ENTER)
+			return
+	assert_true(false, "an entry “%s” is in the menu" % text)
 
 
 func assert_reads(text: String) -> void:

@@ -4,6 +4,8 @@ extends RefCounted
 
 static var _number_finder := RegEx.create_from_string("^-?(?:\\d+(?:\\.\\d+)?(?:e-?\\d+)?|∞)")
 
+static var _share_finder := RegEx.create_from_string("^(-?)(\\d*)π(?:/(\\d+))?")
+
 ## The lesson's link state.
 var state: Dictionary
 ## The step, counted from 0.
@@ -44,6 +46,23 @@ static func number_behind(words: String, text: String) -> float:
 	return NAN if at < 0 else first_number(text.substr(at + words.length()))
 
 
+## The angle behind [param words] in [param text], in degrees, where it is written in the unit that
+## the lab uses: `53.13°`, or `0.9273 rad`, `0.9273` and `3π/4`. NAN where there is none.
+static func degrees_behind(words: String, text: String) -> float:
+	var at := text.find(words)
+	if at < 0:
+		return NAN
+	var angle := text.substr(at + words.length()).strip_edges().replace(NumberText.MINUS, "-")
+	var share := _share_finder.search(angle)
+	if not Conventions.uses_radians():
+		return NAN if share else first_number(angle)
+	if not share:
+		return rad_to_deg(first_number(angle))
+	var times := share.get_string(2).to_float() if share.get_string(2) else 1.0
+	var below := share.get_string(3).to_float() if share.get_string(3) else 1.0
+	return (-180.0 if share.get_string(1) else 180.0) * times / below
+
+
 ## The number with which [param text] begins; NAN where it begins with something else.
 static func first_number(text: String) -> float:
 	var found := _number_finder.search(text.strip_edges().replace(NumberText.MINUS, "-"))
@@ -61,6 +80,13 @@ static func is_close(shown: float, wanted: float, rounding: float) -> bool:
 	return absf(shown - wanted) <= unit * 1.0001 + rounding
 
 
+## The same for an angle in degrees, of which the lab shows four digits in its own unit.
+static func is_close_angle(shown: float, wanted: float, rounding: float) -> bool:
+	if not Conventions.uses_radians():
+		return is_close(shown, wanted, rounding)
+	return is_close(deg_to_rad(shown), deg_to_rad(wanted), deg_to_rad(rounding))
+
+
 func _read_services(services: Dictionary[StringName, Control]) -> void:
 	if services.has(&"steps"):
 		sentence = (services[&"steps"].get_node("%Sentence") as Label).text
@@ -72,13 +98,12 @@ func _read_services(services: Dictionary[StringName, Control]) -> void:
 	var readout: Readout = services.get(&"readout")
 	if not readout or not readout.is_visible_in_tree():
 		return
-	var cells := readout.get_children()
-	for at in range(readout.columns, cells.size(), readout.columns):
-		if not (cells[at] as Label).visible:
+	for at in range(1, readout.row_count()):
+		if not readout.cell(at, 0).visible:
 			continue
 		var row: PackedStringArray = []
-		for cell: Label in cells.slice(at, at + readout.columns):
-			row.append(cell.text)
+		for column in 4:
+			row.append(readout.cell(at, column).text)
 		rows.append(row)
 
 

@@ -5,6 +5,7 @@ extends SceneTree
 
 const WITH_ADDONS := "--with-addons"
 const WARNINGS := "debug/gdscript/warnings/"
+const KIT := "res://workshop/kit"
 const WARN := 1
 const ERROR := 2
 
@@ -53,6 +54,9 @@ func _scripts_below(folder: String) -> PackedStringArray:
 	var found := PackedStringArray()
 	if folder == "res://addons" and WITH_ADDONS not in OS.get_cmdline_user_args():
 		return found
+	if folder == "res://workshop":
+		# What a student writes is his own affair.
+		return _scripts_below(KIT)
 	if folder == "res://build" or FileAccess.file_exists(folder.path_join(".gdignore")):
 		return found
 	for file: String in DirAccess.get_files_at(folder):

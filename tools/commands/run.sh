@@ -1,15 +1,19 @@
 #!/usr/bin/env bash
-# Opens the lab, or one lesson. Without a display it draws them into build/pictures/ instead.
-# Usage: tools/commands/run.sh [LESSON [OPTION...]]   (options for pictures: see tools/draw/draw.sh)
+# Opens the lab, or one lesson, or a board by its link. Without a display it draws them into build/pictures/ instead.
+# Usage: tools/commands/run.sh [LESSON|LINK [OPTION...]]   (LINK: such as 'dot_product?a=7,1'; options for pictures: see
+# tools/draw/draw.sh)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
 prepare_project
 ids=$(lesson_ids)
-# The smallest lesson is not in the index.
-if [ $# -ge 1 ] && ! grep -qxF -- "$1" <<<"$ids"$'\nsmallest_lesson'; then
-	die 2 "there is no lesson '$1'; there are: ${ids//$'\n'/, }"
+if [ $# -ge 1 ]; then
+	link=${1##*#}
+	# The smallest lesson is not in the index.
+	grep -qxF -- "${link%%\?*}" <<<"$ids"$'\nsmallest_lesson' ||
+		die 2 "there is no lesson '${link%%\?*}'; there are: ${ids//$'\n'/, }"
+	set -- "$link" "${@:2}"
 fi
 
 if has_display; then

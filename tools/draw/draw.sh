@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Draws lessons into build/pictures/, wide and tall, a line each; fails when a picture is blank or Godot printed an
-# error or a warning. Usage: tools/draw/draw.sh GODOT [OPTION...] NAME...   (NAME: a lesson's id, or start_screen)
-# Options: --opening lets a lesson move as it does when it is opened; --press=ACTION[*TIMES],... presses keys first, such as
-# --press=lab_next_step*2; --size=WIDTHxHEIGHT draws at this size only.
+# error or a warning. Usage: tools/draw/draw.sh GODOT [OPTION...] NAME...   (NAME: a lesson's id, a link to a board such
+# as 'dot_product?a=7,1', or start_screen; a picture has the lesson's id as its name)
+# Options: --card draws what a lesson's card shows, the board alone and without text; --opening lets a lesson move as it
+# does when it is opened; --press=ACTION[*TIMES],... presses keys first, such as --press=lab_next_step*2;
+# --size=WIDTHxHEIGHT draws at this size only.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
@@ -17,8 +19,8 @@ size=
 while [[ ${1:-} == --* ]]; do
 	case $1 in
 		--size=*) size=${1#--size=} ;;
-		--opening | --press=*) options+=("$1") ;;
-		*) die 2 "there is no option '$1'; there are --opening, --press=ACTION[*TIMES],... and --size=WIDTHxHEIGHT" ;;
+		--card | --opening | --press=*) options+=("$1") ;;
+		*) die 2 "there is no option '$1'; there are --card, --opening, --press=ACTION[*TIMES],... and --size=WIDTHxHEIGHT" ;;
 	esac
 	shift
 done
@@ -50,11 +52,12 @@ trap close_screen EXIT
 has_display || open_screen
 use_drivers_beside_godot
 for name in "$@"; do
+	id=${name%%\?*}
 	if [ -n "$size" ]; then
-		draw "$name" "${name}_$size" "$size"
+		draw "$name" "${id}_$size" "$size"
 	else
-		draw "$name" "$name" 1280x720
-		draw "$name" "${name}_portrait" 720x1280
+		draw "$name" "$id" 1280x720
+		draw "$name" "${id}_portrait" 720x1280
 	fi
 done
 exit "$failed"

@@ -2,7 +2,10 @@ extends SceneTree
 ## Starts the lab as a user does, saves what is drawn, and fails when that is blank, or when the
 ## window shows something else after a menu was open over it.
 ## Usage: godot --path . --resolution 1280x720 --fixed-fps 60 -s tools/draw/draw_picture.gd
-## -- --picture=FILE [--lesson=ID] [--check-window] [--opening] [--press=ACTION[*TIMES],...]
+## -- --picture=FILE [--lesson=ID] [--card] [--check-window] [--opening]
+## [--press=ACTION[*TIMES],...]
+
+const CardPicture := preload("card_picture.gd")
 
 ## Half a second: what moves into place has arrived.
 const FRAMES := 30
@@ -10,23 +13,34 @@ const FRAMES := 30
 const FRAMES_AFTER_KEYS := 90
 const FEWEST_COLORS := 16
 const ARGUMENT := "--picture="
+## Draws what a lesson's card shows; see card_picture.gd.
+const CARD := "--card"
 ## Also look at the window: on a screen on which nothing else is.
 const CHECK_WINDOW := "--check-window"
 ## Lets the lesson's opening move; else the picture shows the lesson as it starts.
 const OPENING := "--opening"
 ## Presses the keys of these actions first, in turn: `--press=lab_next_step*3,lab_hide_answers`.
 const PRESS := "--press="
+## Whoever draws pictures has chosen nothing and seen nothing; it is forgotten again.
+const CHOICES := "user://choices_in_pictures.cfg"
 ## What may differ in the window: numbers that change while a lesson works by itself.
 const MOST_DIFFERING := 0.05
 
 
 func _init() -> void:
 	var main_scene: String = ProjectSettings.get_setting("application/run/main_scene")
+	KeptChoices.file = CHOICES
 	OpeningMotion.is_allowed = OPENING in OS.get_cmdline_user_args()
+	if CARD in OS.get_cmdline_user_args():
+		CardPicture.hide_text()
 	change_scene_to_file(main_scene)
 	for frame: int in FRAMES:
 		await process_frame
 	await _press_all()
+	if CARD in OS.get_cmdline_user_args():
+		CardPicture.show_board_alone(current_scene as LessonFrame)
+		for frame: int in FRAMES:
+			await process_frame
 	await RenderingServer.frame_post_draw
 	var picture := root.get_texture().get_image()
 	var colors := _count_colors(picture)
@@ -37,6 +51,7 @@ func _init() -> void:
 		print("the picture has holes: something does not fill the window")
 		is_drawn = false
 	var is_shown := await _is_shown_again(picture)
+	DirAccess.remove_absolute(CHOICES)
 	quit(0 if saved == OK and is_drawn and is_shown else 1)
 
 

@@ -9,7 +9,7 @@ open_screen() {
 	need Xvfb xvfb libgl1 libgl1-mesa-dri || exit 2
 	folder=$(mktemp -d)
 	mkfifo "$folder/display"
-	Xvfb -displayfd 3 -screen 0 1280x1280x24 +extension GLX -nolisten tcp 3>"$folder/display" >"$folder/log" 2>&1 &
+	Xvfb -displayfd 3 -screen 0 1920x1280x24 +extension GLX -nolisten tcp 3>"$folder/display" >"$folder/log" 2>&1 &
 	screen=$!
 	read -r -t 30 number <"$folder/display" || die 1 "Xvfb does not start: $(cat "$folder/log")"
 	export DISPLAY=:$number

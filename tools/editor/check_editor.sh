@@ -8,6 +8,9 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../draw/screen.sh
 . "$(dirname "$0")/../draw/screen.sh"
 
+# Seconds without a line after which the editor is stopped: it says nothing while it reads a fresh project for the first
+# time, which takes a minute on a busy machine.
+PATIENCE=180
 # A space and an accent, as in many home folders.
 copy="$LAB_BUILD/editor check é"
 keep=
@@ -50,7 +53,7 @@ use_editor() {
 	shift
 	log="$LAB_BUILD/editor_${name// /_}.log"
 	XDG_CONFIG_HOME=$LAB_BUILD/editor_home XDG_DATA_HOME=$LAB_BUILD/editor_home XDG_CACHE_HOME=$LAB_BUILD/editor_home \
-		"$LAB_ROOT/tools/shared/run_with_patience.sh" 60 "$godot" --editor --path "$copy" --audio-driver Dummy \
+		"$LAB_ROOT/tools/shared/run_with_patience.sh" "$PATIENCE" "$godot" --editor --path "$copy" --audio-driver Dummy \
 		--rendering-driver opengl3 -- "$@" >"$log" || status=$?
 	said=$(messages)
 	changed=$(in_copy status --short)

@@ -4,7 +4,7 @@ extends EditorPlugin
 ## closes it, quits. [code]check_editor.sh[/code] enables this plugin in a copy of the project.
 ##
 ## The arguments behind [code]--[/code] are the scenes. Prints a line for each step, and
-## [constant DONE] after the last one.
+## [constant DONE] after the last one: as errors, which are not held back until many are there.
 
 const DONE := "editor: done"
 const EXPORT := "Export..."
@@ -23,8 +23,8 @@ func _use() -> void:
 		await _open_save_and_close(scene)
 	await _look_at_exports()
 	if not get_tree().root.find_children("GutBottomPanel", "", true, false).is_empty():
-		print("editor: GUT's panel is there")
-	print(DONE)
+		printerr("editor: GUT's panel is there")
+	printerr(DONE)
 	# From here on the editor must not run inside this function: it frees this plugin.
 	get_tree().root.get_child(0).notification.call_deferred(NOTIFICATION_WM_CLOSE_REQUEST)
 
@@ -51,7 +51,7 @@ func _open_save_and_close(scene: String) -> void:
 	await _wait_frames(1)
 	var closed := EditorInterface.close_scene()
 	await _wait_frames(1)
-	print("editor: %s: saved %s, closed %s" % [scene, error_string(saved), error_string(closed)])
+	printerr("editor: %s: saved %s, closed %s" % [scene, error_string(saved), error_string(closed)])
 
 
 func _edited_scene() -> String:
@@ -67,7 +67,7 @@ func _look_at_exports() -> void:
 				menu.id_pressed.emit(menu.get_item_id(index))
 	await _wait_frames(5)
 	for window: Window in windows:
-		print("editor: the export window is %s" % ("open" if window.visible else "NOT open"))
+		printerr("editor: the export window is %s" % ("open" if window.visible else "NOT open"))
 		window.hide()
 	await get_tree().create_timer(SECONDS_TO_WRITE).timeout
 

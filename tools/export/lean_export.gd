@@ -8,8 +8,12 @@ extends EditorExportPlugin
 ## what the exported files need, the input actions are in one compressed file, and settings that
 ## only the editor reads are at their defaults; afterwards all are as they were. Scenes and
 ## resources are compressed, which Godot does with scripts only. Each scene holds the icons that it
-## shows: as a file of its own an icon takes 700 bytes, in a compressed scene 140.
+## shows: as a file of its own an icon takes 700 bytes, in a compressed scene 140. Compiled scripts
+## keep the line numbers that an error tells, and no others. A language has the texts of the files
+## that are exported.
 
+const CompiledScript := preload("compiled_script.gd")
+const LanguageFile := preload("res://tools/texts/language_file.gd")
 const WrittenCode := preload("written_code.gd")
 
 const _CLASSES := "res://.godot/global_script_class_cache.cfg"
@@ -23,33 +27,42 @@ const _ACTION := "input/"
 const _OWN_ACTIONS := "input/lab_"
 # Which plugins the editor has to start.
 const _PLUGINS := "editor_plugins/enabled"
-# Settings that only the editor reads: a pack has them at their defaults, which take no room.
+# Settings that only the editor reads, or what no pack holds: a pack has them at their defaults,
+# which take no room.
 const _OF_THE_EDITOR: PackedStringArray = [
 	"application/config/description",
 	"application/config/features",
 	"compression/formats/zstd/compression_level",
+	"debug/gdscript/warnings/directory_rules",
 	"debug/gdscript/warnings/untyped_declaration",
 	"debug/gdscript/warnings/unsafe_property_access",
 	"debug/gdscript/warnings/unsafe_method_access",
 	"debug/gdscript/warnings/unsafe_cast",
 	"debug/gdscript/warnings/unsafe_call_argument",
+	"vec2_lab/start_screen/besides",
 ]
 
 var _files_before: Dictionary[String, PackedByteArray] = {}
 var _settings_before: Dictionary[String, Variant] = {}
 var _orders_before: Dictionary[String, int] = {}
+# Every script of this export as Godot compiles it, by its path in the project.
+var _compiled: Dictionary[String, PackedByteArray] = {}
+var _is_compiling := false
 
 
+# Godot takes the plugins in the order of their names, and this one has to come before its own
+# “GDScript”, which puts the compiled scripts into the pack.
 func _get_name() -> String:
-	return "lean_packs"
+	return "0_lean_packs"
 
 
 func _export_begin(
-	_features: PackedStringArray, _is_debug: bool, _path: String, _flags: int
+	_features: PackedStringArray, is_debug: bool, _path: String, _flags: int
 ) -> void:
 	var preset := get_export_preset()
 	if preset.get_export_filter() != EditorExportPreset.EXPORT_SELECTED_RESOURCES:
 		return
+	_compile(preset, is_debug)
 	var files := preset.get_files_to_export()
 	for file: String in [_CLASSES, _IDS]:
 		_files_before[file] = FileAccess.get_file_as_bytes(file)
@@ -78,21 +91,48 @@ func _export_end() -> void:
 		ProjectSettings.set_order(setting, _orders_before[setting])
 	_files_before.clear()
 	_settings_before.clear()
+	_compiled.clear()
+
+
+# Godot hands compiled scripts out only as files of an export: one that is kept here.
+func _compile(preset: EditorExportPreset, is_debug: bool) -> void:
+	_is_compiling = true
+	get_export_platform().export_project_files(preset, is_debug, _keep_compiled.unbind(5))
+	_is_compiling = false
+
+
+func _keep_compiled(path: String, bytes: PackedByteArray) -> void:
+	if path.get_extension() == "gdc":
+		_compiled[path.get_basename() + ".gd"] = bytes
 
 
 func _export_file(path: String, _type: String, _features: PackedStringArray) -> void:
+	if _is_compiling:
+		return
+	if _compiled.has(path):
+		skip()
+		var lean := CompiledScript.with_fewer_line_numbers(_compiled[path])
+		add_file(path.get_basename() + ".gdc", lean, true)
 	if _is_icon(path):
 		skip()
-	if not path.get_extension() in ["tscn", "tres"]:
+	if not path.get_extension() in ["tscn", "tres", "po"]:
 		return
 	var ending := "scn" if path.get_extension() == "tscn" else "res"
-	var resource := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
-	if resource is PackedScene:
-		make_lean(resource as PackedScene)
-	ResourceSaver.save(resource, _COMPRESSED + ending, ResourceSaver.FLAG_COMPRESS)
+	ResourceSaver.save(_lean(path), _COMPRESSED + ending, ResourceSaver.FLAG_COMPRESS)
 	var bytes := FileAccess.get_file_as_bytes(_COMPRESSED + ending)
 	add_file(path.get_basename() + "." + ending, bytes, true)
 	DirAccess.remove_absolute(_COMPRESSED + ending)
+
+
+# What the pack has of a scene, a resource or a language.
+func _lean(path: String) -> Resource:
+	if path.get_extension() == "po":
+		var shown := get_export_preset().get_files_to_export()
+		return language_of(shown, LanguageFile.new(path))
+	var resource := ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
+	if resource is PackedScene:
+		make_lean(resource as PackedScene)
+	return resource
 
 
 ## Makes the icons that [param scene] shows a part of it, and leaves out the ids of its nodes: by
@@ -107,6 +147,16 @@ static func make_lean(scene: PackedScene) -> void:
 	content["node_ids"] = PackedInt32Array()
 	content["id_paths"] = []
 	scene.set("_bundled", content)
+
+
+## The texts of a language that one of [param files] shows.
+static func language_of(files: PackedStringArray, language: LanguageFile) -> Translation:
+	for message: String in language.places.duplicate():
+		var shows := func(place: String) -> bool: return "res://" + place in files
+		if not Array(language.places[message]).any(shows):
+			language.translations.erase(message)
+			language.places.erase(message)
+	return language.translation()
 
 
 static func _is_icon(path: String) -> bool:

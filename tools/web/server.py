@@ -17,6 +17,7 @@ TYPES = {
     ".json": "application/json",
     ".pck": "application/octet-stream",
     ".wasm": "application/wasm",
+    ".webmanifest": "application/manifest+json",
 }
 # Copies beside a file, the smallest first.
 COPIES = {"br": ".br", "gzip": ".gz"}

@@ -6,6 +6,8 @@ const WebDemo := preload("web_demo.gd")
 ## The whole lab among the ids of lessons.
 const LAB := "lab"
 
+const _LAB_NAME := "Vec2 Lab"
+
 ## Its folder on the site, and the lesson's id.
 var id: String
 
@@ -24,7 +26,7 @@ static func all() -> Array[WebDemo]:
 	var lessons := LessonIndex.lessons()
 	var lab := WebDemo.new()
 	lab.id = LAB
-	lab.title = ProjectSettings.get_setting("application/config/name")
+	lab.title = _LAB_NAME
 	lab.summary = "All %d lessons in one program, with a card for each." % lessons.size()
 	var demos: Array[WebDemo] = [lab]
 	for lesson in lessons:
@@ -35,6 +37,11 @@ static func all() -> Array[WebDemo]:
 ## Its title on a page of its own: a lesson's begins with its number.
 func heading() -> String:
 	return "%d  %s" % [number, title] if number else title
+
+
+## The title of its page, as the browser's tab and history show it.
+func page_title() -> String:
+	return "%d %s - %s" % [number, title, _LAB_NAME] if number else title
 
 
 static func _of_lesson(lesson: LessonInfo) -> WebDemo:

@@ -1,12 +1,17 @@
 extends SceneTree
-## Writes the index of the exported web demos, and fills in each demo's page: see web_pages.gd.
+## Writes the index of the exported web demos and the speaker's notes, and fills in each demo's
+## page: see web_pages.gd.
 ## Usage: godot --headless --path . -s tools/web/write_pages.gd -- FOLDER
 
+const TeachingPlan := preload("teaching_plan.gd")
 const WebDemo := preload("web_demo.gd")
 const WebPages := preload("web_pages.gd")
 
 const _FORM := "res://tools/web/index_page.html"
+const _NOTES_FORM := "res://tools/web/notes_page.html"
 const _ICON := "res://assets/icons/app_icon.svg"
+# What a browser needs to put the lab among a machine's programs.
+const _MANIFEST := "res://tools/web/manifest.webmanifest"
 
 var _site: String
 var _failed := 0
@@ -20,6 +25,10 @@ func _init() -> void:
 	_copy_pictures()
 	var page := FileAccess.get_file_as_string(_FORM)
 	_write("index.html", WebPages.index(page, demos, _engine_bytes()))
+	# The notes lead the lab.
+	if demos[0].id == WebDemo.LAB:
+		var notes := FileAccess.get_file_as_string(_NOTES_FORM)
+		_write("notes.html", WebPages.notes(notes, TeachingPlan.new()))
 	quit(mini(_failed, 1))
 
 
@@ -47,6 +56,7 @@ func _copy_pictures() -> void:
 	for lesson in LessonIndex.lessons():
 		_copy(lesson.card_path(), "cards/%s.png" % lesson.id)
 	_copy(_ICON, "icon.svg")
+	_copy(_MANIFEST, "manifest.webmanifest")
 
 
 func _copy(from: String, to: String) -> void:

@@ -43,11 +43,11 @@ func start() -> void:
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Start again from here"))
+	_readout.is_the_point = true
 	_readout.show_headings([tr("0.1 added up"), tr("sum"), tr("error"), tr("per addition")])
 	on_pick(_model.take)
 	on_edit(options.preset_picked, _model.remember.unbind(1))
-	var kinds := SharingExercise.Kind.size()
-	(services[&"question"] as Question).offer(SharingExercise.fresh, kinds)
+	(services[&"question"] as Question).offer(SharingExercise.fresh, SharingExercise.Kind.size())
 	begin(_model, _show, _reach)
 	open_with(_sway.bind(_model.first_place(), _model.position.copy()))
 
@@ -129,6 +129,7 @@ func _show() -> void:
 	services[&"options"].visible = _is_changed()
 	_show_arrows()
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
+	ClassOrValueTexts.fill(%Boxes as NameBoxes, _model, step)
 	_formula.show_model(_model, step)
 	_show_sums()
 

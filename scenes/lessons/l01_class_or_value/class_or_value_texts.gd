@@ -52,3 +52,21 @@ static func sharing(is_shared: bool, step: int) -> PackedStringArray:
 	if is_shared:
 		of_objects = LabText.translate("two names, one object")
 	return [of_objects, LabText.translate("two names, two values")]
+
+
+## Fills [param boxes] with what the names in [param model] stand for at [param step].
+static func fill(boxes: NameBoxes, model: ClassOrValueModel, step: int) -> void:
+	var is_changed := step >= Step.CHANGE
+	var first := model.first_place()
+	var place := model.position if is_changed else first
+	var objects: PackedStringArray = [_pair(place)]
+	var values: PackedStringArray = [_pair(Vec2.from_vector2(place.to_vector2()))]
+	if step >= Step.SECOND_NAME:
+		objects.append(_pair(model.old if is_changed else first))
+		values.append(_pair(Vec2.from_vector2(model.old_value)))
+	boxes.show_boxes(objects, values, model.is_shared())
+
+
+# Short enough for a box.
+static func _pair(place: Vec2) -> String:
+	return NumberText.pair(place.x, place.y, 3)

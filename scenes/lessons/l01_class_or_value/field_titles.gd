@@ -45,11 +45,16 @@ func show_fields(left_origin: Vec2, right_origin: Vec2, sentences: PackedStringA
 	show_change()
 
 
+## Half as wide as the longest title and sentence here: on a narrow board they are smaller.
+func half_title() -> float:
+	return minf(HALF_TITLE, board.size.x / 4.0)
+
+
 ## The middle of each title in pixels from the left of the board: above its origin, but never
 ## outside of its half of the board.
 func title_places() -> PackedFloat32Array:
 	var quarter := board.size.x / 4.0
-	var room := maxf(quarter - HALF_TITLE, 0.0)
+	var room := maxf(quarter - half_title(), 0.0)
 	var left_x := clampf(board.to_screen(_left).x, quarter - room, quarter + room)
 	var right_x := clampf(board.to_screen(_right).x, 3.0 * quarter - room, 3.0 * quarter + room)
 	return [left_x, right_x]
@@ -61,14 +66,15 @@ func spanned_points() -> Array[Vec2]:
 
 func _draw() -> void:
 	var middle := board.size.x / 2.0
-	draw_line(Vector2(middle, 0.0), Vector2(middle, board.size.y), Palette.AXIS, 1.5)
+	draw_line(Vector2(middle, 0.0), Vector2(middle, board.size.y), Palette.drawn(Palette.AXIS), 1.5)
 	var places := title_places()
 	_write(places[0], tr("Vec2: an object"), left_sentence, Palette.Role.A)
 	_write(places[1], tr("Vector2: a value"), right_sentence, Palette.Role.B)
 	for origin: Vec2 in [_left, _right]:
-		draw_circle(board.to_screen(origin), 4.0, Palette.AXIS, true, -1.0, true)
+		draw_circle(board.to_screen(origin), 4.0, Palette.drawn(Palette.AXIS), true, -1.0, true)
 
 
 func _write(x: float, title: String, sentence: String, role: Palette.Role) -> void:
-	draw_text(title, Vector2(x, 28.0), Palette.color(role), 24)
-	draw_text(sentence, Vector2(x, 58.0), Palette.color(Palette.Role.INK), 18)
+	var share := half_title() / HALF_TITLE
+	draw_text(title, Vector2(x, 28.0), Palette.color(role), roundi(24 * share))
+	draw_text(sentence, Vector2(x, 58.0), Palette.color(Palette.Role.INK), roundi(18 * share))

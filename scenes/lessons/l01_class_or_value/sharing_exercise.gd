@@ -12,9 +12,12 @@ const _ASSIGNMENTS: Dictionary[Kind, String] = {
 	Kind.NEW_OBJECT: "old = Vec2.new(%d, %d)\nnow = old\nnow = Vec2.new(%d, 0)",
 }
 
+var _kind: Kind
+
 
 ## A question with x and y at first, and another x later.
 func _init(kind: Kind, first_x: int, y: int, later_x: int) -> void:
+	_kind = kind
 	var code := _ASSIGNMENTS[kind] % [first_x, y, later_x]
 	prompt = code + "\n" + tr("What is old.x now?")
 	answer_titles = ["old.x ="]
@@ -27,6 +30,10 @@ func _init(kind: Kind, first_x: int, y: int, later_x: int) -> void:
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SharingExercise:
 	var first_x := rng.randi_range(1, 9)
 	return new(kind, first_x, rng.randi_range(10, 19), first_x + rng.randi_range(1, 9))
+
+
+func solution() -> String:
+	return "%s %s" % [super() + ".", _sentence(_kind)]
 
 
 func _sentence(kind: Kind) -> String:

@@ -46,6 +46,23 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> BounceExercise:
 	return new(kind, floor_y, radius, velocity, slope)
 
 
+func solution() -> String:
+	var right := text_of(right_answer)
+	match _kind:
+		Kind.PUT_BACK:
+			var numbers := [NumberText.short(_floor_y), NumberText.short(_radius), right]
+			return "y = %s − r = %s − %s = %s" % ([tr("floor")] + numbers)
+		Kind.FLIP:
+			return "v = (vx, −vy) = %s" % right
+	return (
+		tr("Along the perpendicular: %s px")
+		% (
+			"%s·%d / √(%d² + %d²) = %s"
+			% [NumberText.short(_straight), _slope.x, _slope.x, _slope.y, right]
+		)
+	)
+
+
 ## Puts what is asked about on the board of [param model].
 func set_up(model: EasyBounceModel) -> void:
 	if model.is_wall:
@@ -94,7 +111,9 @@ func _ask_flip() -> void:
 func _ask_shortest() -> void:
 	var texts := [_slope.x, _slope.y, NumberText.short(_straight)]
 	prompt = (
-		tr("A line runs along (%d, %d). Straight down it is %s px to it. And the shortest way?")
+		tr(
+			"A line has the direction (%d, %d). Straight down it is %s px to it. And the shortest way?"
+		)
 		% texts
 	)
 	_ask_for(["px:"], [_straight * _slope.x / _slope.z])

@@ -164,5 +164,6 @@ func _show() -> void:
 	_head.visible = EasyBounceTexts.needs_velocity(step)
 	_formula.show_model(_model, moved, step)
 	_readout.show_model(_model, moved, step)
+	tell_code(EasyBounceCode.lines(_model, moved, step), EasyBounceCode.inputs(_model, moved))
 	_verdict.show_model(_model, moved, step)
 	tell_steps(EasyBounceTexts.sentences(_model, moved))

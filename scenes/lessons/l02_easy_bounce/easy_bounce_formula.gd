@@ -122,9 +122,10 @@ func _put_ball() -> void:
 	_formula.put_vector("v_pair", velocity, Palette.Role.PROJECTION)
 	_formula.put_number("r", _moved.radius, Palette.Role.INK, tr("Radius of the ball"))
 	_formula.put_number("radius", _moved.radius, Palette.Role.INK)
-	_formula.put_number(
-		"tilt", _model.tilt_degrees, Palette.Role.INK, tr("Tilt of the line in degrees")
-	)
+	var title := tr("Tilt of the line in degrees")
+	if Conventions.uses_radians():
+		title = tr("Tilt of the line in radians")
+	_formula.put_angle("tilt", _model.tilt_degrees, Palette.Role.INK, title)
 	# No answer, so it is not hidden with them.
 	_formula.put_text("frame", NumberText.short(_model.frame()), Palette.Role.INK)
 

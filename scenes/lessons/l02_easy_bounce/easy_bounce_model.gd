@@ -326,7 +326,8 @@ static func number_problem(name_in_line: String, value: float) -> String:
 	if name_in_line == "r" and not (value > 0.0 and value <= LARGEST_RADIUS):
 		return TranslationServer.translate("r must be above 0 and at most 200, not %s.") % text
 	if name_in_line == "tilt" and not absf(value) <= STEEPEST:
-		return TranslationServer.translate("The tilt must be within −45 and 45°, not %s°.") % text
+		var sentence := LabText.translate("The tilt must be within −45° and 45°, not %s.")
+		return Conventions.in_unit(sentence % Conventions.angle_text(value))
 	return ""
 
 

@@ -31,8 +31,7 @@ func show_model(model: EasyBounceModel, moved: Ball, step: int) -> void:
 
 # The headings and two distances, then one row a step.
 func _hide_rows_after(step: int) -> void:
-	for i in _readout.get_child_count():
-		(_readout.get_child(i) as Control).visible = i < _readout.columns * (step + 2)
+	_readout.show_rows(step + 2)
 
 
 func _show_distances(model: EasyBounceModel, moved: Ball) -> void:

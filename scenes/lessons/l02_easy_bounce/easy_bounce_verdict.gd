@@ -80,7 +80,9 @@ func _judge_velocity() -> void:
 	elif not _model.right_reflects(_moved) and not _model.easy_flips(_moved):
 		_say("0", [tr("v stays:"), tr("it does not point into the line")])
 	elif _model.is_level():
-		_say_right(tr("its sign is all that changes"))
+		_say_right(
+			tr("only the sign of x changes") if _model.is_wall else tr("only the sign of y changes")
+		)
 	elif error <= _ROUNDING * _moved.velocity.length():
 		_say("=", [tr("Here flipped and reflected"), tr("are the same")])
 	else:

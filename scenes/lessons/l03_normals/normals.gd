@@ -9,6 +9,8 @@ const _EXAMPLES: Dictionary[int, Dictionary] = {
 	NormalsMistakes.CUT_LENGTH: {line = [0.0, 0.0, 0.3, 0.4]},
 }
 
+# The switch that turns the picture over.
+const _Y_UP := "is_y_up"
 # At the opening v swings so often, by so many degrees to either side.
 const _SWINGS := 4.0
 const _SWING := 20.0
@@ -38,10 +40,12 @@ func start() -> void:
 	_formula = NormalsFormula.new(services[&"formula"] as Formula)
 	on_enter(_enter)
 	var options := services[&"options"] as LessonOptions
-	options.add_switch("is_y_up", tr("y points up"))
+	options.add_switch(_Y_UP, tr("y points up"))
 	options.offer_presets(NormalsModel.PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(NormalsMistakes.infos())
-	(services[&"question"] as Question).offer(NormalExercise.fresh, NormalExercise.Kind.size())
+	(services[&"question"] as Question).offer(
+		NormalExercise.fresh, NormalExercise.Kind.size(), 0, NormalExercise.of_the_lecture
+	)
 	on_pick(_pick)
 	begin(_model, _show, _model.points_to_show)
 	ask_choice_before(
@@ -82,7 +86,12 @@ func _enter(name_in_line: String, value: float) -> void:
 	_model.enter(name_in_line, value)
 
 
+# Which way y points is chosen for the whole lab.
 func _pick(changes: Dictionary) -> String:
+	if changes.has(_Y_UP):
+		var is_up: bool = changes[_Y_UP]
+		Conventions.choose(Conventions.Choice.Y_UP, is_up)
+		return ""
 	var mistake: int = changes.get("mistake", 0)
 	var example: Dictionary = _EXAMPLES.get(mistake, {})
 	var all_changes := changes.merged(example)
@@ -95,10 +104,10 @@ func _pick(changes: Dictionary) -> String:
 
 
 func _show() -> void:
-	board.is_y_up = _model.is_y_up
+	(services[&"options"] as LessonOptions).show_switch(_Y_UP, Conventions.is_y_up())
 	ask_before(
 		NormalsTexts.Step.NORMAL,
-		NormalsTexts.question(_model),
+		NormalsTexts.question(),
 		func() -> Vec2: return _model.start.plus(_model.normal()) if _has_question() else null,
 		func() -> Vec2: return _model.end
 	)
@@ -106,6 +115,7 @@ func _show() -> void:
 	_drawing.show_model(_model, step)
 	_drawing.show_before(_before)
 	_formula.show_model(_model, step)
+	tell_code(NormalsCode.lines(_model, step), NormalsCode.inputs(_model))
 	_verdict.show_model(_model, _before, step)
 	_readout.visible = step >= NormalsTexts.Step.UNIT
 	if _readout.visible:

@@ -20,6 +20,7 @@ var _tween: Tween
 @onready var _normal: Arrow = %Normal
 @onready var _opposite: Arrow = %Opposite
 @onready var _unit: Arrow = %Unit
+@onready var _unit_v: Arrow = %UnitV
 @onready var _scaled: Arrow = %Scaled
 @onready var _swapped: Arrow = %Swapped
 @onready var _wrong_sign: Arrow = %WrongSign
@@ -101,7 +102,11 @@ func _show_unit() -> void:
 	var has_unit := is_about_unit and _model.has_direction() or _shows(NormalsTexts.Step.UNIT)
 	_lay(_unit, _model.start, _model.unit(), has_unit)
 	_unit.keep_label_from(_model.end)
-	# Where n is shorter than the unit normal on the same line, n is on top and its name beside both.
+	var has_unit_v := _shows(NormalsTexts.Step.UNIT) and _step == NormalsTexts.Step.UNIT
+	_lay(_unit_v, _model.start, _model.v().normalized(), has_unit_v)
+	_unit_v.keep_label_from(_model.start.plus(_model.normal()))
+	# Where n is shorter than the unit normal on the same line, n is on top and its name beside
+	# both.
 	var is_short := _model.v().length() < 1.0
 	_normal.z_index = 1 if is_short else 0
 	_normal.label_place = Arrow.LabelPlace.MIDDLE if is_short else Arrow.LabelPlace.HEAD

@@ -2,12 +2,13 @@ class_name NormalsFormula
 extends RefCounted
 ## The formula of the lesson on normals: its lines, and what each name in them is.
 ##
-## e is the unit normal, w1 and w2 are the wrong normals of mistake 9.
+## e is the unit normal, f is v with length 1, w1 and w2 are the wrong normals of mistake 9.
 
 const _NORMAL := "{n} = (−y, x) = {n_pair}"
 const _CHECK := "{v} · {n} = {x}·{n_x} + {y}·{n_y} = {check}"
 const _LENGTH := "|{n}| = √({n_x}² + {n_y}²) = {n_length}"
 const _UNIT := "{e} = {n} / |{n}| = {n_pair} / {n_length} = {e_pair}"
+const _UNIT_V := "{f} = {v} / |{v}| = {f_pair}"
 const _ZERO := "|{n}| = {n_length}     {e} = {e_pair}"
 
 # The lines that each step shows below the one of v.
@@ -20,7 +21,7 @@ const _LINES: Array[Array] = [
 		_CHECK,
 	],
 	[_NORMAL, "(y, −x) = {opposite_pair} = −{n}"],
-	[_NORMAL, _LENGTH, _UNIT],
+	[_NORMAL, _LENGTH, _UNIT, _UNIT_V],
 	[_NORMAL, _LENGTH, _UNIT, "{k} · {e} = {scaled_pair}"],
 ]
 const _LINES_OF_ZERO: Array[Array] = [
@@ -103,6 +104,8 @@ func _put_normals(model: NormalsModel) -> void:
 	_formula.put_number("n_length", n.length(), Palette.Role.B)
 	_formula.put_number("check", model.v().dot(n), Palette.Role.INK)
 	_formula.put_vector("opposite_pair", model.opposite(), Palette.Role.REST)
+	_formula.put_symbol("f", "v̂", Palette.Role.A)
+	_formula.put_vector("f_pair", model.v().normalized(), Palette.Role.A)
 	_formula.put_symbol("e", "n̂", Palette.Role.UNIT)
 	_formula.put_vector("e_pair", model.unit(), Palette.Role.UNIT)
 	_formula.put_vector("scaled_pair", model.scaled(), Palette.Role.UNIT)

@@ -25,8 +25,6 @@ var start := Vec2.new()
 var end := Vec2.new(3.0, 1.0)
 ## The factor by which the unit normal is drawn longer, to be seen; negative for the other side.
 var times := 2.0
-## False draws y downwards, as on the screen; true upwards. No number depends on it.
-var is_y_up := false
 ## The mistake that is switched on, by its number; 0 for none.
 var mistake := 0
 
@@ -135,7 +133,6 @@ func to_dictionary() -> Dictionary:
 	return {
 		"line": PackedFloat64Array([start.x, start.y, end.x, end.y]),
 		"times": times,
-		"is_y_up": is_y_up,
 		"mistake": mistake,
 	}
 
@@ -152,7 +149,6 @@ func from_dictionary(stored: Dictionary) -> void:
 	start.set_xy(ends[0], ends[1])
 	end.set_xy(ends[2], ends[3])
 	times = stored["times"]
-	is_y_up = stored["is_y_up"]
 	mistake = stored["mistake"]
 
 

@@ -16,20 +16,20 @@ static func sentences(model: NormalsModel) -> PackedStringArray:
 		told.resize(Step.size())
 		told.fill(_mistake_sentence(model))
 		return told
-	return _sentences(model) if model.has_direction() else _sentences_for_zero()
+	return _sentences() if model.has_direction() else _sentences_for_zero()
 
 
 ## What is asked before the normal is shown.
-static func question(model: NormalsModel) -> String:
+static func question() -> String:
 	var asked := LabText.translate(
 		"Turn v by +90°, %s on screen. Where does its head go? Drag the “?” there."
 	)
-	return asked % clockwise_text(model)
+	return asked % clockwise_text()
 
 
 ## The way in which +90 degrees turns on the screen, as one word.
-static func clockwise_text(model: NormalsModel) -> String:
-	if model.is_y_up:
+static func clockwise_text() -> String:
+	if Conventions.is_y_up():
 		return LabText.translate("counter-clockwise")
 	return LabText.translate("clockwise")
 
@@ -42,7 +42,7 @@ static func uncut_text(length: float) -> String:
 	return NumberText.all_digits(length)
 
 
-static func _sentences(model: NormalsModel) -> PackedStringArray:
+static func _sentences() -> PackedStringArray:
 	var turned := (
 		LabText
 		. translate(
@@ -51,10 +51,13 @@ static func _sentences(model: NormalsModel) -> PackedStringArray:
 	)
 	return [
 		LabText.translate("A line has a direction: v = end − start. Drag its ends, or all of it."),
-		turned % clockwise_text(model),
+		turned % clockwise_text(),
 		LabText.translate("(y, −x) is the opposite normal. Choose one of the two and keep to it."),
-		LabText.translate(
-			"Divide n by its length: n̂ has length 1. “Normal” does not mean “normalized”!"
+		(
+			LabText
+			. translate(
+				"Divide by the length: v̂ is v normalized, n̂ is n normalized. “The normal” often means n̂."
+			)
 		),
 		LabText.translate("In pixels, length 1 is too short to see. So draw a multiple of n̂."),
 	]

@@ -14,26 +14,26 @@ func show_model(model: NormalsModel, before: NormalsModel, step: int) -> void:
 		show_verdict("✗", Palette.Role.WRONG, _mistake_words(model))
 	elif not model.has_direction():
 		show_verdict(
-			"0", Palette.Role.QUIET, [tr("The zero vector"), tr("has no normal: it is 0.")]
+			"0", Palette.Role.QUIET, [tr("The zero vector"), tr("has no direction and no normal")]
 		)
 	elif model.mistake != 0:
 		show_verdict("=", Palette.Role.QUIET, [tr("Here the mistake"), tr("does not show")])
 	else:
-		show_verdict("+", Palette.Role.RIGHT, [_turn_words(model), _change_words(model, before)])
+		show_verdict("+", Palette.Role.RIGHT, [_turn_words(), _change_words(model, before)])
 
 
 ## Moves to the corner behind v, into which neither v nor a normal of [param model] points.
 func stand_behind(model: NormalsModel) -> void:
 	var v := model.v()
-	var points_down := (v.y < 0.0) == model.is_y_up
+	var points_down := (v.y < 0.0) == Conventions.is_y_up()
 	if v.x >= 0.0:
 		stand_in(PRESET_TOP_LEFT if points_down else PRESET_BOTTOM_LEFT)
 	else:
 		stand_in(PRESET_TOP_RIGHT if points_down else PRESET_BOTTOM_RIGHT)
 
 
-func _turn_words(model: NormalsModel) -> String:
-	return tr("+90° turns %s") % NormalsTexts.clockwise_text(model)
+func _turn_words() -> String:
+	return tr("+90° turns %s") % NormalsTexts.clockwise_text()
 
 
 func _change_words(model: NormalsModel, before: NormalsModel) -> String:
@@ -46,9 +46,9 @@ func _change_words(model: NormalsModel, before: NormalsModel) -> String:
 		NormalsModel.Change.STRETCHED:
 			return tr("same slope: n̂ stays")
 		NormalsModel.Change.TURNED:
-			var degrees := NumberText.short(model.turned_degrees(before.v()), 3)
-			return tr("turned by %s°, and so is n") % degrees
-	return tr("y points up") if model.is_y_up else tr("y points down")
+			var degrees := Conventions.in_range(model.turned_degrees(before.v()))
+			return tr("turned by %s, and so is n") % Conventions.angle_text(degrees, 3)
+	return tr("y points up") if Conventions.is_y_up() else tr("y points down")
 
 
 func _mistake_words(model: NormalsModel) -> PackedStringArray:
@@ -64,9 +64,15 @@ func _mistake_words(model: NormalsModel) -> PackedStringArray:
 
 # With as many digits as tell the angle from 90 degrees; on an axis it can be right.
 func _swapped_words(v: Vec2) -> String:
-	var degrees := Vec2.rad_to_deg(v.angle_to(NormalsMistakes.swapped(v)))
+	var turned := Vec2.rad_to_deg(v.angle_to(NormalsMistakes.swapped(v)))
+	var degrees := Conventions.in_range(turned)
 	for digits in range(3, _MOST_DIGITS):
-		var text := NumberText.short(degrees, digits)
-		if text != "90":
-			return tr("(y, x): %s° from v, not +90°") % text
+		var text := Conventions.angle_text(degrees, digits)
+		if not text in _right_angles(digits):
+			return tr("(y, x): %s from v, not +90°") % text
 	return tr("(y, x): +90° by luck, as y is 0") if v.y == 0.0 else tr("(y, x): nearly +90°")
+
+
+# As which a right angle can be written, with so many digits.
+static func _right_angles(digits: int) -> PackedStringArray:
+	return ["90°", "π/2", NumberText.short(PI / 2.0, digits) + " rad"]

@@ -53,7 +53,7 @@ func _draw() -> void:
 	var corners: PackedVector2Array = [tip, tip + back + side, tip + back - side]
 	draw_primitive(corners, [color], [])
 	var outwards := board.to_screen(_tail).direction_to(_pixel(0.5))
-	draw_text("+90°", _pixel(0.5) + outwards * 28.0, color, 18)
+	draw_text(Conventions.in_unit("+90°"), _pixel(0.5) + outwards * 28.0, color, 18)
 
 
 # Where the head is after `share` of the quarter turn.

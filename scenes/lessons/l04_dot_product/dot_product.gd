@@ -2,6 +2,8 @@ extends Lesson
 ## The lesson on the dot product: two vectors, the shadow of one on the other, and the numbers
 ## beside them. Where both vectors lie at the start is in the scene.
 
+## What a click does, in a word for the help line: source text.
+const ACTIONS: Dictionary[StringName, String] = {&"left_click": "a", &"right_click": "b"}
 ## The sweep turns the shadowed vector this fast, in degrees a second.
 const _SWEEP_SPEED := 30.0
 ## The opening swings a so far to both sides, in degrees, and so often in 20 seconds.
@@ -10,8 +12,8 @@ const _SWINGS := 2.0
 
 var _model := DotProductModel.new()
 var _formula: DotProductFormula
+var _readout: DotProductReadout
 
-@onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: DotProductDrawing = %Drawing
 @onready var _a: DraggableVector = %A
 @onready var _b: DraggableVector = %B
@@ -27,15 +29,21 @@ func start() -> void:
 	on_drag(_a.moved, _a.released, _move_a)
 	on_drag(_b.moved, _b.released, _move_b)
 	on_drag(_plot.x_pointed, _plot.released, _turn_to)
+	add_child(CardPlace.new(_plot, board, services[&"steps"]))
 	_formula = DotProductFormula.new(services[&"formula"] as Formula)
+	_readout = DotProductReadout.new(services[&"readout"] as Readout)
 	on_enter(_enter_number)
 	on_move((services[&"transport"] as Transport).advanced, _sweep)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("normalizes", tr("Normalize"))
 	options.add_switch("is_swapped", tr("b on a"))
 	options.offer_presets(DotProductModel.PRESETS)
-	var kinds := ProjectionExercise.Kind.size()
-	(services[&"question"] as Question).offer(ProjectionExercise.fresh, kinds, 1)
+	(services[&"question"] as Question).offer(
+		ProjectionExercise.fresh,
+		ProjectionExercise.Kind.size(),
+		1,
+		ProjectionExercise.of_the_lecture
+	)
 	on_pick(_model.take)
 	begin(_model, _show, _model.ends)
 	open_with(_swing.bind(_model.a()))
@@ -91,18 +99,34 @@ func _enter_number(name_in_line: String, value: float) -> void:
 
 func _show() -> void:
 	ask_before(DotProductTexts.Step.SCALAR, DotProductTexts.question(_model), _truth, _first_guess)
+	ask_choice_before(
+		DotProductTexts.Step.BOTH,
+		DotProductTexts.question_on_both(_model),
+		DotProductTexts.choices_on_both(),
+		_right_choice
+	)
 	tell_steps(DotProductTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step, (services[&"transport"] as Transport).is_playing)
 	_show_verdict()
 	_show_plot()
-	_show_calls()
+	_readout.show_model(_model, step)
+	tell_code(DotProductCode.lines(_model, step), DotProductCode.inputs(_model))
 
 
 # Where the shadow ends; null where there is none.
 func _truth() -> Vec2:
 	var has_shadow := _model.onto().length() > 0.0 and _model.shadowed().length() > 0.0
 	return _model.foot(_model.shadowed_head()) if has_shadow else null
+
+
+# Whether the other shadow is longer, shorter or as long; -1 where there is nothing to compare.
+func _right_choice() -> int:
+	if not _model.normalizes or not _truth():
+		return -1
+	if _model.is_dot_zero() or _model.has_equal_lengths():
+		return 2
+	return 0 if _model.onto().length() > _model.shadowed().length() else 1
 
 
 func _first_guess() -> Vec2:
@@ -127,34 +151,3 @@ func _show_plot() -> void:
 	var reach := _model.a().length() * _model.b().length()
 	var product := func(degrees: float) -> float: return reach * cos(Vec2.deg_to_rad(degrees))
 	_plot.show_function(product, reach, _model.signed_angle_degrees())
-
-
-func _show_calls() -> void:
-	_readout.visible = step == DotProductTexts.Step.PRIMITIVE and _model.onto().length() > 0.0
-	if not _readout.visible:
-		return
-	var shadowed := _model.shadowed()
-	var onto := _model.onto()
-	var by_dot := shadowed.scalar_projection.bind(onto)
-	if not _model.normalizes:
-		by_dot = shadowed.dot.bind(onto)
-	var what := (
-		"%s · %s"
-		% [
-			DotProductTexts.shadowed_symbol(_model),
-			(
-				DotProductTexts.unit_symbol(_model)
-				if _model.normalizes
-				else DotProductTexts.onto_symbol(_model)
-			)
-		]
-	)
-	_show_call("dot", tr("%s by the dot product") % what, by_dot)
-	var primitive := PrimitiveProjection.scalar.bind(shadowed, onto)
-	_show_call("primitive", tr("by atan2 and cos"), primitive)
-
-
-func _show_call(key: String, title: String, method: Callable) -> void:
-	var value: float = method.call()
-	var error := ExactProjection.error_of_scalar_projection(value, _model.shadowed(), _model.onto())
-	_readout.show_result(key, title, value, error, CallTimer.nanoseconds(method))

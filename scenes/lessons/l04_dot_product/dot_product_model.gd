@@ -84,7 +84,7 @@ func angle_degrees() -> float:
 	return absf(signed_angle_degrees())
 
 
-## The angle from [method onto] to [method shadowed] in degrees, in (-180, 180], clockwise on
+## The angle from [method onto] to [method shadowed] in degrees, in (-180, 180], from the x to
 ## screen.
 func signed_angle_degrees() -> float:
 	return Vec2.rad_to_deg(onto().angle_to(shadowed()))
@@ -125,6 +125,22 @@ func leaves_nothing() -> bool:
 	return rejection().length() <= _ROUNDING * parts
 
 
+## Whether both vectors are equally long but for rounding: then both shadows are.
+func has_equal_lengths() -> bool:
+	return absf(a().length() - b().length()) <= _ROUNDING * a().length()
+
+
+## The length of the other shadow with its sign, that of [method onto] on [method shadowed]; 0 where
+## that is zero.
+func other_scalar_projection() -> float:
+	return onto().scalar_projection(shadowed())
+
+
+## The other shadow.
+func other_vector_projection() -> Vec2:
+	return onto().vector_projection(shadowed())
+
+
 ## The foot of the perpendicular from [param point] on the line along [method onto].
 func foot(point: Vec2) -> Vec2:
 	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))
@@ -141,6 +157,12 @@ func is_wrong() -> bool:
 func ends_at_head() -> bool:
 	var length := onto().length()
 	return absf(shadowed().scalar_projection(onto()) - length) < 1e-9 * length
+
+
+## The same for the other shadow and [method shadowed].
+func other_ends_at_head() -> bool:
+	var length := shadowed().length()
+	return absf(other_scalar_projection() - length) < 1e-9 * length
 
 
 ## -1, 0 or 1: the sign of the dot product tells an angle above, at or below 90 degrees. 0 also

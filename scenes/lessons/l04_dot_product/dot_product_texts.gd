@@ -3,7 +3,7 @@ extends RefCounted
 ## The sentences and the verdict of the lesson on the dot product.
 
 ## The steps, counted from 0.
-enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, SURE, BOTH, ANGLE, PRIMITIVE }
 
 const _UNITS: Dictionary[String, String] = {"a": "â", "b": "b\u0302"}
 
@@ -39,6 +39,7 @@ static func sentences(model: DotProductModel) -> PackedStringArray:
 		found[0] = _first_sentences()[0]
 	else:
 		found.append_array(_right_sentences(model) if model.normalizes else _wrong_sentences(model))
+		found.append(_on_both(model))
 		found.append_array(_angle_sentences(model))
 	for i in found.size():
 		found[i] = _with_letters(found[i], model)
@@ -53,6 +54,20 @@ static func question(model: DotProductModel) -> String:
 		),
 		model
 	)
+
+
+## What is asked before the second shadow is shown, translated.
+static func question_on_both(model: DotProductModel) -> String:
+	return _with_letters(
+		LabText.translate("Now the shadow of {w} on {u}: is it longer or shorter than p?"), model
+	)
+
+
+## The answers to [method question_on_both], translated.
+static func choices_on_both() -> PackedStringArray:
+	return [
+		LabText.translate("longer"), LabText.translate("shorter"), LabText.translate("as long as p")
+	]
 
 
 ## Two lines on the scalar projection: its size, and what its sign says, or what is wrong without
@@ -114,6 +129,12 @@ static func _right_sentences(model: DotProductModel) -> PackedStringArray:
 		),
 		_on_projection(model),
 		_on_rest(model),
+		(
+			LabText
+			. translate(
+				"Be sure of it. Try: drag {u}. Measure p, as here. Prove it: see “Proof of the projection”."
+			)
+		),
 	]
 
 
@@ -142,6 +163,7 @@ static func _wrong_sentences(model: DotProductModel) -> PackedStringArray:
 		),
 		LabText.translate("That times {w} is |{w}|² times the shadow: the length comes in twice."),
 		_on_wrong_rest(model),
+		_on_wrong_length(model),
 	]
 
 
@@ -151,6 +173,37 @@ static func _on_wrong_rest(model: DotProductModel) -> String:
 			"The rest {u} − p is not perpendicular to {w}: that is how a test finds the mistake."
 		)
 	return LabText.translate("With these numbers the mistake changes nothing: a test needs others.")
+
+
+static func _on_wrong_length(model: DotProductModel) -> String:
+	if model.is_wrong():
+		return (
+			LabText
+			. translate(
+				"Try, measure or prove: each of the three finds the mistake. Measured, p has a wrong length."
+			)
+		)
+	return LabText.translate("With these numbers the mistake changes nothing: a test needs others.")
+
+
+static func _on_both(model: DotProductModel) -> String:
+	if not model.shadowed().length():
+		return LabText.translate("{u} is zero: it has no direction, and no shadow falls on it.")
+	if not model.normalizes:
+		return LabText.translate(
+			"Without dividing, both are {u} · {w}: one number for two shadows."
+		)
+	if model.is_dot_zero():
+		return LabText.translate("At a right angle both shadows are zero: drag {u} away from it.")
+	if model.has_equal_lengths():
+		return LabText.translate("Both shadows are equally long here, because {u} and {w} are.")
+	if model.other_ends_at_head():
+		return LabText.translate(
+			"{u} · {e} is not {w} · {v}. Here the shadow q is {u} itself, by chance: drag {u}."
+		)
+	return LabText.translate(
+		"{u} · {e} is not {w} · {v}: the same dot product, divided by another length."
+	)
 
 
 static func _angle_sentences(model: DotProductModel) -> PackedStringArray:
@@ -163,19 +216,24 @@ static func _angle_sentences(model: DotProductModel) -> PackedStringArray:
 		(
 			LabText
 			. translate(
-				"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ."
+				"The scalar projection is |{u}| cos φ, so a · b is |a| |b| cos φ. Of unit vectors it is cos φ."
 			)
 		),
-		(
-			LabText
-			. translate(
-				"The primitive way: find both angles by atan2, then take the cosine of their difference."
-			)
+		LabText.translate(
+			"The primitive way: both angles by atan2, their difference, its cosine, times |{u}|."
 		),
 	]
 
 
 static func _with_letters(sentence: String, model: DotProductModel) -> String:
-	return sentence.format(
-		{"u": shadowed_symbol(model), "w": onto_symbol(model), "e": unit_symbol(model)}
+	return (
+		sentence
+		. format(
+			{
+				"u": shadowed_symbol(model),
+				"w": onto_symbol(model),
+				"e": unit_symbol(model),
+				"v": shadowed_unit_symbol(model),
+			}
+		)
 	)

@@ -34,10 +34,12 @@ func start() -> void:
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _model.set_a(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _model.set_b(board.snapped_to_step(at)))
 	_plot.x_pointed.connect(_turn_to)
+	add_child(CardPlace.new(_plot, board, services[&"steps"]))
 	_formula = ProjectionProofFormula.new(services[&"formula"] as Formula)
 	(services[&"options"] as LessonOptions).offer_presets(ProjectionProofModel.PRESETS)
 	var kinds := TurningExercise.Kind.size()
-	(services[&"question"] as Question).offer(TurningExercise.fresh, kinds)
+	var questions := services[&"question"] as Question
+	questions.offer(TurningExercise.fresh, kinds, 0, TurningExercise.of_the_lecture)
 	(services[&"steps"] as Steps).step_changed.connect(_turn_for_step)
 	_transport.advanced.connect(_run)
 	on_enter(_model.enter)
@@ -131,6 +133,7 @@ func _show() -> void:
 # What changes during the turn; the results do not.
 func _show_turn() -> void:
 	tell_steps(ProjectionProofTexts.sentences(_model))
+	tell_code(ProjectionProofCode.lines(_model, step), ProjectionProofCode.inputs(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_turn(_model, step)
 	var x_at := func(percent: float) -> float: return _model.x_at_share(percent / 100.0)

@@ -52,7 +52,7 @@ func _lay_originals(model: ProjectionProofModel) -> void:
 	_head_b.place(model.b)
 	_beta.radius = minf(_LARGEST_ARC, 0.6 * model.b.length() * _beta.board.pixels_per_unit)
 	_beta.measure(origin, Vec2.new(1.0, 0.0), model.b)
-	_paths.lay([model.a, model.b, model.projection()], -model.beta() * model.turned_share)
+	_paths.lay([model.a, model.b, model.projection()], model.turned_by())
 
 
 func _lay_turned(model: ProjectionProofModel) -> void:
@@ -91,7 +91,9 @@ func _lay_components(model: ProjectionProofModel) -> void:
 	_y_of_a.lay(a, corner)
 	_shadow_of_x.lay(corner, Vec2.new(corner.x, 0.0))
 	var height := Vec2.new(0.0, model.b.y)
+	_y_of_b.label = "by = %s" % NumberText.short(model.b.y)
 	_y_of_b.lay(origin, height)
 	_y_of_b.keep_label_from(model.b)
+	_x_of_b.label = "bx = %s" % NumberText.short(model.b.x)
 	_x_of_b.lay(height, model.b)
 	_x_of_b.keep_label_from(origin)

@@ -44,7 +44,9 @@ func _lines(model: ProjectionProofModel, step: int) -> PackedStringArray:
 	if not model.has_direction():
 		return found
 	if step < ProjectionProofTexts.Step.TRIANGLE:
-		found.append("β = atan2({b_y}, {b_x}) = {beta}°")
+		var is_added := Conventions.has_full_turn() and model.beta() < 0.0
+		var turn := " + 360°" if is_added else ""
+		found.append("β = atan2({b_y}, {b_x})%s = {beta}°" % turn)
 	if step >= ProjectionProofTexts.Step.TURN and step <= ProjectionProofTexts.Step.EXPAND:
 		found.append(_turned_line(model))
 	if step >= ProjectionProofTexts.Step.READ_OFF:
@@ -87,7 +89,8 @@ func _put_both_vectors(model: ProjectionProofModel) -> void:
 
 
 func _put_angle(model: ProjectionProofModel) -> void:
-	_formula.put_number("beta", Vec2.rad_to_deg(model.beta()), Palette.Role.INK)
+	var beta := Conventions.in_range(Vec2.rad_to_deg(model.beta()))
+	_formula.put_angle("beta", beta, Palette.Role.INK)
 	_formula.put_symbol("e", ProjectionProofTexts.UNIT, Palette.Role.UNIT)
 	_formula.put_number("cosine", model.cosine(), Palette.Role.UNIT)
 	_formula.put_number("sine", model.sine(), Palette.Role.UNIT)

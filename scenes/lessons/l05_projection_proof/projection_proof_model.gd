@@ -32,9 +32,15 @@ func has_direction() -> bool:
 	return b.length() > 0.0
 
 
-## The angle of b, clockwise on screen from the x axis, in (-PI, PI].
+## The angle of b from the x axis, in (-PI, PI].
 func beta() -> float:
 	return b.angle_radians()
+
+
+## How far both have been turned, in radians: the share of beta, which on the way is the angle that
+## is shown.
+func turned_by() -> float:
+	return _turn(turned_share)
 
 
 ## [param vector] as it lies now, after the share of the turn.
@@ -94,7 +100,7 @@ func enter(name_in_line: String, value: float) -> void:
 ## Gives a the value for which its head is at [param head] after the share of the turn.
 func set_turned_a(head: Vec2) -> void:
 	a = head.copy()
-	a.rotate_radians(beta() * turned_share)
+	a.rotate_radians(-turned_by())
 
 
 ## Makes b so long that, after the share of the turn, it ends at the foot of the perpendicular from
@@ -143,5 +149,11 @@ func from_dictionary(stored: Dictionary) -> void:
 
 func _after_share(vector: Vec2, share: float) -> Vec2:
 	var result := vector.copy()
-	result.rotate_radians(-beta() * share)
+	result.rotate_radians(_turn(share))
 	return result
+
+
+# At the end a full turn more would change nothing but the last bit.
+func _turn(share: float) -> float:
+	var is_longer := Conventions.has_full_turn() and beta() < 0.0 and share < 1.0
+	return -(beta() + TAU if is_longer else beta()) * share

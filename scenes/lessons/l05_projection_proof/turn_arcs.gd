@@ -17,7 +17,7 @@ const _STROKES := 24
 		for head in value:
 			exact.append(Vec2.from_vector2(head))
 		lay(exact, _turn)
-## The turn in degrees; positive is clockwise on screen.
+## The turn in degrees; positive is from the x axis to the y axis.
 @export_range(-180.0, 180.0, 0.001, "suffix:°") var turn_degrees := 0.0:
 	get:
 		return Vec2.rad_to_deg(_turn)
@@ -28,8 +28,8 @@ var _heads: Array[Vec2] = []
 var _turn := 0.0
 
 
-## Draws an arc from each of [param from], in units of the plane, by [param turn] radians, clockwise
-## on screen.
+## Draws an arc from each of [param from], in units of the plane, by [param turn] radians, from
+## the x axis to the y axis.
 func lay(from: Array[Vec2], turn: float) -> void:
 	var copies: Array[Vec2] = []
 	for head in from:
@@ -51,8 +51,10 @@ func _draw() -> void:
 func _draw_arc(head: Vec2) -> void:
 	var center := board.to_screen(Vec2.new())
 	var radius := center.distance_to(board.to_screen(head))
-	var start := head.angle_radians()
-	var stroke := _turn / _STROKES
+	var start := head.angle_radians() * board.y_sign()
+	var stroke := _turn / _STROKES * board.y_sign()
 	for i in _STROKES:
 		var from := start + stroke * i
-		draw_arc(center, radius, from, from + stroke * 0.5, 4, Palette.AXIS, 1.5, true)
+		draw_arc(
+			center, radius, from, from + stroke * 0.5, 4, Palette.drawn(Palette.AXIS), 1.5, true
+		)

@@ -11,14 +11,20 @@ const _TRIPLES: Array[Vector2i] = [
 	Vector2i(3, 4), Vector2i(4, 3), Vector2i(6, 8), Vector2i(8, 6), Vector2i(12, 5)
 ]
 
+# What the lecture's own vectors are good for; their a′ = (5, 5) has equal components.
+const _OF_THE_LECTURE: Array[Kind] = [Kind.COSINE_AND_SINE, Kind.TURNED_B]
+
 ## The vector whose shadow is looked for.
 var a: Vec2
 ## The vector on which it falls; its length is a whole number.
 var b: Vec2
 
+var _kind: Kind
+
 
 ## A question with the vectors [param a_vector] and [param b_vector].
 func _init(kind: Kind, a_vector: Vec2, b_vector: Vec2) -> void:
+	_kind = kind
 	a = a_vector
 	b = b_vector
 	match kind:
@@ -38,6 +44,31 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> TurningExercise:
 		rng.randi_range(1, 9) * _random_sign(rng), rng.randi_range(1, 9) * _random_sign(rng)
 	)
 	return new(kind, shadowed, onto)
+
+
+## The question with the lecture's own vectors; null where two answers would be the same.
+static func of_the_lecture(kind: Kind) -> TurningExercise:
+	if not kind in _OF_THE_LECTURE:
+		return null
+	return new(kind, Vec2.new(7.0, 1.0), Vec2.new(8.0, -6.0))
+
+
+func solution() -> String:
+	var length := NumberText.short(b.length())
+	var right := text_of(right_answer)
+	match _kind:
+		Kind.COSINE_AND_SINE:
+			return _solution_of_triangle(length)
+		Kind.TURNED_B:
+			return "b′ = (|b|, 0) = %s" % right
+	var factors := [a.x, b.x, a.y, b.y].map(NumberText.factor)
+	return "a′.x = a · b̂ = (%s·%s + %s·%s) / %s = %s" % (factors + [length, right])
+
+
+func _solution_of_triangle(length: String) -> String:
+	var cosine := [NumberText.factor(b.x), length, NumberText.short(right_answer[0])]
+	var sine := [NumberText.factor(b.y), length, NumberText.short(right_answer[1])]
+	return "cos β = bx / |b| = %s / %s = %s, sin β = by / |b| = %s / %s = %s" % (cosine + sine)
 
 
 func board_state() -> Dictionary:

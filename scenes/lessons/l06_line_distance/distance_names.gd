@@ -31,7 +31,7 @@ func times() -> float:
 
 func _draw() -> void:
 	var line := LineSegment.new(_line.tail_point(), _line.head_point())
-	var normal := line.normal().to_vector2()
+	var normal := board.direction_to_screen(line.normal())
 	var from := board.to_screen(_from.at())
 	var ahead := _ahead(line)
 	_write("p", from - (normal * _side(line) + ahead).normalized() * _AWAY, Palette.Role.A)
@@ -49,7 +49,7 @@ func _draw_signs(place: Vec2, away: Vector2) -> void:
 
 # The longer of normal and shadow has its name beyond its tip, the shorter one beside it.
 func _draw_names_along_normal(from: Vector2, line: LineSegment) -> void:
-	var normal := line.normal().to_vector2()
+	var normal := board.direction_to_screen(line.normal())
 	var length := times() * board.pixels_per_unit
 	var distance := _ball.at().minus(_from.at()).dot(line.normal())
 	var is_shadow_shown := _shadow.visible and _shadow.modulate.a > 0.0
@@ -70,7 +70,8 @@ func _draw_names_along_normal(from: Vector2, line: LineSegment) -> void:
 # The direction on screen along the line from p towards the ball.
 func _ahead(line: LineSegment) -> Vector2:
 	var along := line.along().normalized()
-	return along.to_vector2() * (-1.0 if _ball.at().minus(_from.at()).dot(along) < 0.0 else 1.0)
+	var is_behind := _ball.at().minus(_from.at()).dot(along) < 0.0
+	return board.direction_to_screen(along) * (-1.0 if is_behind else 1.0)
 
 
 # 1 where the ball is in front of the line, -1 behind it.

@@ -5,11 +5,18 @@ extends Lesson
 ## The opening slides p this share of the line to both sides, and so often in 20 seconds.
 const _SLIDE := 0.3
 const _SLIDES := 3.0
+## A frame of the flight lasts so long, to be seen.
+const _FRAME_SECONDS := 0.4
 
 var _model := LineDistanceModel.new()
 var _formula: LineDistanceFormula
 var _readout: LineDistanceReadout
 
+# Seconds that the flight has run since its first frame.
+var _flown := 0.0
+
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _options: LessonOptions = services.get(&"options")
 @onready var _drawing: LineDistanceDrawing = %Drawing
 @onready var _line: DraggableVector = %Line
 @onready var _from: Handle = %From
@@ -28,7 +35,10 @@ func start() -> void:
 	on_point(MOUSE_BUTTON_RIGHT, _model.slide_to)
 	_formula = LineDistanceFormula.new(services[&"formula"] as Formula)
 	_readout = LineDistanceReadout.new(services[&"readout"] as Readout)
-	(services[&"options"] as LessonOptions).offer_presets(LineDistanceModel.PRESETS)
+	_options.offer_presets(LineDistanceModel.PRESETS)
+	_options.add_choice("rule", tr("Where the ball is red"), LineDistanceTexts.rules())
+	on_edit(_options.chosen, func(_key: String, place: int) -> void: _model.set_rule(place))
+	_transport.advanced.connect(_run_flight)
 	(services[&"mistakes"] as Mistakes).add_all(LineDistanceMistakes.infos())
 	var kinds := LineDistanceExercise.Kind.size()
 	(services[&"question"] as Question).offer(LineDistanceExercise.fresh, kinds)
@@ -49,6 +59,19 @@ func _slide_p(seconds: float, first: float) -> void:
 	_model.from_share = first + snappedf(_SLIDE * share, 0.01)
 
 
+# The flight is not part of the state: undo changes the ball, and the flight is shown to its end.
+func _run_flight(seconds: float) -> void:
+	if not _transport.is_playing:
+		_model.frame += int(signf(seconds))
+		_flown = _model.frame * _FRAME_SECONDS
+	else:
+		var is_over := _model.frame == _model.detection().last_frame()
+		_flown = seconds if is_over else _flown + seconds
+		_model.frame = int(_flown / _FRAME_SECONDS)
+		_transport.is_playing = _model.frame < _model.detection().last_frame()
+	_show()
+
+
 # What the student does.
 
 
@@ -60,12 +83,14 @@ func _put_ball(at: Vec2) -> void:
 	_move_ball(board.snapped_to_step(at))
 
 
-# A mistake is shown beside the right distance: at the step of that, or later.
+# A mistake is shown beside the right distance, a ball that is slow or fast in its flight.
 func _take(changes: Dictionary) -> String:
 	var problem := _model.take(changes)
 	var is_new := changes.has("mistake") and _model.mistake != 0
-	if is_new and step < LineDistanceTexts.Step.DISTANCE:
+	if is_new and not LineDistanceTexts.is_compared(_model, step):
 		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DISTANCE)
+	if changes.has("speed"):
+		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DETECTION)
 	return problem
 
 
@@ -86,6 +111,10 @@ func _show() -> void:
 		LineDistanceTexts.right_choice.bind(_model)
 	)
 	tell_steps(LineDistanceTexts.sentences(_model))
+	tell_code(LineDistanceCode.lines(_model, step), LineDistanceCode.inputs(_model, step))
+	_options.show_choice("rule", _model.rule)
+	_options.reveal_choice("rule", step == LineDistanceTexts.Step.DETECTION)
+	_transport.visible = step == LineDistanceTexts.Step.DETECTION
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
 	_readout.show_model(_model, step)

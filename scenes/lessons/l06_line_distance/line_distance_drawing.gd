@@ -22,6 +22,7 @@ extends Node2D
 @onready var _wrong_ball: BallView = %WrongBall
 @onready var _wrong_way: DimensionLine = %WrongWay
 @onready var _right_way: DimensionLine = %RightWay
+@onready var _frames: DetectionFrames = %Frames
 @onready var _verdict: VerdictCard = %Verdict
 
 
@@ -36,13 +37,26 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_lay_gap(model, step)
 	_lay_to_segment(model, step)
 	_lay_mistake(model, step)
+	show_flight(model, step)
 	_names.show_change()
 	_show_verdict(model, step)
 
 
+## Draws the flight of the last step as far as it has got.
+func show_flight(model: LineDistanceModel, step: int) -> void:
+	_frames.visible = step == LineDistanceTexts.Step.DETECTION
+	var centers: Array[Vec2] = []
+	var is_red: Array[bool] = []
+	for frame: int in model.frame + 1:
+		centers.append(model.position_at(frame))
+		is_red.append(model.detection().is_red(frame))
+	_frames.lay(centers, is_red, model.ball.radius)
+
+
 func _lay_ball(model: LineDistanceModel, step: int) -> void:
 	_ball.lay(model.ball.position, model.ball.radius)
-	_judged_ball.visible = step >= LineDistanceTexts.Step.GAP
+	var is_detected := step == LineDistanceTexts.Step.DETECTION
+	_judged_ball.visible = step >= LineDistanceTexts.Step.GAP and not is_detected
 	_judged_ball.role = Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT
 	# With a mistake the two distances have their labels there.
 	_judged_ball.label = LineDistanceTexts.ball_word(model) if model.mistake == 0 else ""
@@ -50,6 +64,7 @@ func _lay_ball(model: LineDistanceModel, step: int) -> void:
 	_ball_handle.place_ball(model.ball.position, model.ball.radius)
 	_difference.lay(model.from(), model.ball.position)
 	_difference.keep_label_from(model.foot())
+	_difference.visible = not is_detected
 
 
 func _lay_normal(model: LineDistanceModel, step: int) -> void:
@@ -65,9 +80,10 @@ func _lay_shadow(model: LineDistanceModel, step: int) -> void:
 	_rejection.lay(corner, model.ball.position)
 	var back := normal.scaled(-model.distance())
 	_right_angle.measure(corner, back, model.ball.position.minus(corner))
-	_shadow.visible = step >= LineDistanceTexts.Step.DISTANCE
-	_rejection.visible = step >= LineDistanceTexts.Step.DISTANCE
-	_right_angle.visible = _right_angle.visible and step >= LineDistanceTexts.Step.DISTANCE
+	var is_detected := step == LineDistanceTexts.Step.DETECTION
+	_shadow.visible = step >= LineDistanceTexts.Step.DISTANCE and not is_detected
+	_rejection.visible = _shadow.visible
+	_right_angle.visible = _right_angle.visible and _shadow.visible
 
 
 func _lay_gap(model: LineDistanceModel, step: int) -> void:
@@ -77,7 +93,8 @@ func _lay_gap(model: LineDistanceModel, step: int) -> void:
 	_gap.offset = 18.0 if model.gap() > 0.0 else rim_pixels + 14.0
 	_gap.label = tr("gap %s") % LineDistanceTexts.gap_text(model)
 	_gap.lay(model.foot(), model.rim(), away)
-	_gap.visible = step >= LineDistanceTexts.Step.GAP and model.mistake == 0
+	var is_shown := step in [LineDistanceTexts.Step.GAP, LineDistanceTexts.Step.SEGMENT]
+	_gap.visible = is_shown and model.mistake == 0
 	_radius.label = "r"
 	_radius.lay(model.rim(), model.ball.position, away.negated())
 	_radius.visible = _gap.visible
@@ -92,7 +109,7 @@ func _lay_to_segment(model: LineDistanceModel, step: int) -> void:
 	_to_segment.label = tr("segment %s") % NumberText.short(model.segment_distance())
 	var outside := model.foot().minus(model.ball.position)
 	_to_segment.lay(model.nearest(), model.ball.position, outside)
-	_to_segment.visible = step >= LineDistanceTexts.Step.SEGMENT and model.is_beside_end()
+	_to_segment.visible = step == LineDistanceTexts.Step.SEGMENT and model.is_beside_end()
 
 
 func _lay_mistake(model: LineDistanceModel, step: int) -> void:
@@ -103,7 +120,10 @@ func _lay_mistake(model: LineDistanceModel, step: int) -> void:
 	_wrong_way.visible = is_shown
 	_right_way.visible = is_compared
 	_right_way.label = tr("right %s") % NumberText.short(model.distance())
-	_right_way.lay(model.foot(), model.ball.position, _away_from_p(model).negated())
+	# Away from p, where d is, unless both ways are on the same side of the line.
+	var is_same_side := model.distance() * model.distance_with_mistake() > 0.0
+	var away := _away_from_p(model)
+	_right_way.lay(model.foot(), model.ball.position, away.negated() if is_same_side else away)
 	if not is_shown:
 		return
 	_wrong_ball.lay(place, model.ball.radius)
@@ -117,16 +137,25 @@ func _lay_mistake(model: LineDistanceModel, step: int) -> void:
 		_wrong_way.lay(model.foot(), place, _away_from_p(model))
 
 
-# The card gives way to the ball, and to where a mistake has it.
+# The card gives way to the ball, to where a mistake or its flight has it, and to the line's ends.
 func _show_verdict(model: LineDistanceModel, step: int) -> void:
 	_verdict.visible = step >= LineDistanceTexts.Step.GAP
+	var sign_text := NumberText.MINUS if model.is_behind() else "+"
+	var is_red := model.is_overlapping()
+	if step == LineDistanceTexts.Step.DETECTION:
+		is_red = model.detection().red_count(model.frame) > 0
+		sign_text = "!" if is_red else "0"
 	_verdict.show_verdict(
-		NumberText.MINUS if model.is_behind() else "+",
-		Palette.Role.WRONG if model.is_overlapping() else Palette.Role.RIGHT,
+		sign_text,
+		Palette.Role.WRONG if is_red else Palette.Role.RIGHT,
 		LineDistanceTexts.verdict(model, step)
 	)
 	var board := _endless.board
 	var balls: PackedVector2Array = [board.to_screen(model.ball.position)]
+	for end: Vec2 in [model.line.start, model.line.end]:
+		balls.append(board.to_screen(end))
+	if step == LineDistanceTexts.Step.DETECTION:
+		balls.append(board.to_screen(model.position_at(model.frame)))
 	if _wrong_ball.visible:
 		balls.append(board.to_screen(model.position_with_mistake()))
 	_verdict.keep_off(balls, model.ball.radius * board.pixels_per_unit)

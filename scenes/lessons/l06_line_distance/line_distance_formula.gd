@@ -7,7 +7,6 @@ const _WRONG_LINES: Dictionary[int, String] = {
 	LineDistanceMistakes.NOT_UNIT:
 	"{wrong}: {d} · (−y, x) = {dx}·{minus_ly} + {dy}·{lx} = {wrong_distance}",
 	LineDistanceMistakes.WRONG_SIGN: "{wrong}: {d} · (−{n}) = {wrong_distance}",
-	LineDistanceMistakes.STRAIGHT_UP: "{wrong}: y of the line − y of c = {wrong_distance}",
 }
 
 var _formula: Formula
@@ -27,21 +26,33 @@ func show_model(model: LineDistanceModel, step: int) -> void:
 	_put_vectors(model.line.along(), model.difference(), model.line.normal(), scale)
 	_put_distances(model, scale)
 	_put_segment(model, scale)
+	_put_detection(model, scale)
 	_formula.show_lines(_lines(model, step))
 
 
 func _lines(model: LineDistanceModel, step: int) -> PackedStringArray:
 	var found: PackedStringArray = []
 	var is_compared := LineDistanceTexts.is_compared(model, step)
-	# With a mistake, its line replaces those after the step of the distance.
-	var last := LineDistanceTexts.Step.DISTANCE if is_compared else step
+	var is_detected := step == LineDistanceTexts.Step.DETECTION
+	# The line of a mistake, and those of the flight, replace those after the step of the distance.
+	var last := LineDistanceTexts.Step.DISTANCE if is_compared or is_detected else step
 	for added: PackedStringArray in _lines_by_step().slice(0, last + 1):
 		found.append_array(added)
+	if is_detected:
+		found.append(tr("speed = {speed} px per frame"))
+		found.append(tr("frame {frame}     {distance} − {frame}·{speed_value} = {flown}"))
+		found.append(_line_of_test(model) + "     {is_red}")
 	if is_compared:
 		var has_answer := is_finite(model.distance_with_mistake())
 		var none := "{wrong}: " + tr("a vertical line has no y at the ball's x")
-		found.append(_WRONG_LINES[model.mistake] if has_answer else none)
+		found.append(_wrong_line(model.mistake) if has_answer else none)
 	return found
+
+
+func _wrong_line(mistake: int) -> String:
+	if mistake == LineDistanceMistakes.STRAIGHT_UP:
+		return tr("{wrong}: y of the line − y of c = {wrong_distance}")
+	return _WRONG_LINES[mistake]
 
 
 # The lines that each step adds.
@@ -57,6 +68,32 @@ func _lines_by_step() -> Array[PackedStringArray]:
 		["gap = {d} · {n} − r = {distance} − {radius} = {gap}"],
 		[tr("to the segment: |{c} − {nearest}| = {segment}")],
 	]
+
+
+# Whether the ball is red in the frame, as the test asks it.
+func _line_of_test(model: LineDistanceModel) -> String:
+	var distance := model.detection().distance_at(model.frame)
+	var is_red := model.detection().is_red(model.frame)
+	match model.rule:
+		DiscreteDetection.Rule.ONLY_ABOVE:
+			if distance < 0.0:
+				return "{flown} < 0"
+			return "0 ≤ {flown} < {radius}" if is_red else "{flown} ≥ {radius}"
+		DiscreteDetection.Rule.BOTH_SIDES:
+			return "|{flown}| < {radius}" if is_red else "|{flown}| ≥ {radius}"
+	return "{flown} < {radius}" if is_red else "{flown} ≥ {radius}"
+
+
+func _put_detection(model: LineDistanceModel, scale: float) -> void:
+	var flown := model.detection().distance_at(model.frame)
+	var title := tr("speed of the ball in pixels per frame")
+	_formula.put_number("speed", model.speed, Palette.Role.INK, title)
+	_formula.put_number("speed_value", model.speed, Palette.Role.INK)
+	_formula.put_number("frame", model.frame, Palette.Role.INK)
+	_formula.put_sum("flown", flown, scale + model.frame * model.speed, Palette.Role.PROJECTION)
+	var is_red := model.detection().is_red(model.frame)
+	var word := tr("red") if is_red else tr("not red")
+	_formula.put_answer("is_red", word, Palette.Role.WRONG if is_red else Palette.Role.INK)
 
 
 func _put_symbols() -> void:

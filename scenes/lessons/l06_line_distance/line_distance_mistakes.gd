@@ -35,9 +35,9 @@ static func infos() -> Array[MistakeInfo]:
 	return [
 		MistakeInfo.new(
 			STRAIGHT_UP,
-			LabText.translate("distance measured straight up"),
+			LabText.translate("distance measured vertically"),
 			LabText.translate(
-				"From a tilted line, straight up is longer: the hit is seen too late."
+				"From a tilted line, the vertical way is longer: the hit is seen too late."
 			),
 			"test_line_distance.test_straight_up_is_longer",
 			LabText.translate("The test compares both distances from a tilted line.")

@@ -12,15 +12,39 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Too close": {line = _LINE, ball = [75.0, 25.0, 30.0], from_share = 0.8},
 	"Behind": {line = _LINE, ball = [24.0, 93.0, 30.0], from_share = 0.8},
 	"Past the end": {line = _LINE, ball = [263.0, 166.0, 30.0], from_share = 0.6},
-	"Far p": {line = _LINE, ball = [120.0, -35.0, 30.0], from_share = -0.4},
+	"p far away": {line = _LINE, ball = [120.0, -35.0, 30.0], from_share = -0.4},
+	"Slow ball":
+	{
+		line = _LINE,
+		ball = [120.0, -35.0, 30.0],
+		speed = 35.0,
+		rule = DiscreteDetection.Rule.BOTH_SIDES,
+	},
+	"Fast ball":
+	{
+		line = _LINE,
+		ball = [120.0, -35.0, 30.0],
+		speed = 140.0,
+		rule = DiscreteDetection.Rule.BOTH_SIDES,
+	},
 }
 
 ## The line; its ends only say where it is drawn, and where [method segment_distance] ends.
 var line := LineSegment.new(Vec2.new(200.0, 150.0), Vec2.new(-200.0, -150.0))
-## The ball, at rest.
+## The ball, at rest in all steps but the last.
 var ball := Ball.new(Vec2.new(120.0, -35.0), 30.0)
 ## Where on the line the difference vector begins: 0 is its start, 1 its end, others lie beyond.
 var from_share := 0.7
+## How far the ball of the last step moves in a frame, straight at the line, in pixels.
+var speed := 35.0
+## Where its test calls it red.
+var rule := DiscreteDetection.Rule.BELOW_RADIUS
+## The frame up to which its flight is shown; larger numbers show all of it. Not part of the state.
+var frame := DiscreteDetection.MOST_FRAMES:
+	get:
+		return mini(frame, detection().last_frame())
+	set(value):
+		frame = maxi(value, 0)
 ## The mistake that is switched on, by its number in [LineDistanceMistakes]; 0 for none.
 var mistake := 0
 
@@ -48,6 +72,19 @@ func distance() -> float:
 ## The same distance as [LineDistance] measures it: from the start of the line.
 func distance_from_start() -> float:
 	return LineDistance.signed_distance(ball.position, line)
+
+
+## The flight of the last step. Distances that only rounding keeps from 0 or the radius are that.
+func detection() -> DiscreteDetection:
+	var start := distance_from_start()
+	for exact: float in [0.0, ball.radius]:
+		start = exact if absf(start - exact) <= _rounding() else start
+	return DiscreteDetection.new(start, ball.radius, speed, rule)
+
+
+## Where the ball of the last step is in the frame [param number].
+func position_at(number: int) -> Vec2:
+	return ball.position.minus(line.normal().scaled(number * speed))
 
 
 ## Pixels between the ball's rim and the line; negative where they overlap.
@@ -162,6 +199,8 @@ func enter(name_in_line: String, value: float) -> String:
 			from_share = value
 		"r":
 			return resize_ball(value)
+		"speed":
+			return set_speed(value)
 	return move_line(start, end)
 
 
@@ -183,11 +222,27 @@ func resize_ball(radius: float) -> String:
 	return problem
 
 
+## Changes the speed. "" if it could be changed; else a sentence, and the speed stays.
+func set_speed(pixels: float) -> String:
+	if not (pixels > 0.0 and pixels <= DiscreteDetection.LARGEST_SPEED):
+		var sentence := LabText.translate("The speed must be above 0 and at most 1e6, not %s.")
+		return sentence % NumberText.short(pixels)
+	speed = pixels
+	return ""
+
+
+## Chooses the test by its place in [enum DiscreteDetection.Rule].
+func set_rule(place: int) -> void:
+	rule = place as DiscreteDetection.Rule
+
+
 func to_dictionary() -> Dictionary:
 	return {
 		"line": PackedFloat64Array([line.start.x, line.start.y, line.end.x, line.end.y]),
 		"ball": PackedFloat64Array([ball.position.x, ball.position.y, ball.radius]),
 		"from_share": from_share,
+		"speed": speed,
+		"rule": rule,
 		"mistake": mistake,
 	}
 
@@ -201,10 +256,17 @@ func problem_in(stored: Dictionary) -> String:
 			[
 				model.line.problem(),
 				model.ball.problem(),
+				model.set_speed(model.speed),
+				_problem_of_rule(model.rule),
 				StateCheck.mistake(model.mistake, LineDistanceMistakes.infos()),
 			]
 		)
 	)
+
+
+static func _problem_of_rule(place: int) -> String:
+	var largest := DiscreteDetection.Rule.size() - 1
+	return StateCheck.within("rule", place, 0.0, largest)
 
 
 func from_dictionary(stored: Dictionary) -> void:
@@ -213,6 +275,8 @@ func from_dictionary(stored: Dictionary) -> void:
 	line = LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3]))
 	ball = Ball.new(Vec2.new(centre_and_radius[0], centre_and_radius[1]), centre_and_radius[2])
 	from_share = stored["from_share"]
+	speed = stored["speed"]
+	rule = stored["rule"]
 	mistake = stored["mistake"]
 
 

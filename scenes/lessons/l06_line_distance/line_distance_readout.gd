@@ -19,9 +19,10 @@ func measure(model: LineDistanceModel) -> void:
 
 
 ## Shows both distances of [param model], their errors, and the run times that were measured last,
-## from the step of the distance on.
+## from the step of the distance on, but not while the ball flies.
 func show_model(model: LineDistanceModel, step: int) -> void:
-	_readout.visible = step >= LineDistanceTexts.Step.DISTANCE
+	var is_detected := step == LineDistanceTexts.Step.DETECTION
+	_readout.visible = step >= LineDistanceTexts.Step.DISTANCE and not is_detected
 	_show_call("from_p", tr("from p"), model.distance(), model)
 	_show_call("from_start", tr("from the start"), model.distance_from_start(), model)
 

@@ -3,7 +3,7 @@ extends RefCounted
 ## The sentences and the verdict of the lesson on the distance from a line.
 
 ## The steps, counted from 0.
-enum Step { DIFFERENCE, NORMAL, DISTANCE, GAP, SEGMENT }
+enum Step { DIFFERENCE, NORMAL, DISTANCE, GAP, SEGMENT, DETECTION }
 
 
 ## One sentence a step, translated.
@@ -26,6 +26,7 @@ static func sentences(model: LineDistanceModel) -> PackedStringArray:
 		),
 		LabText.translate("Subtract the radius, and you have the gap between ball and line."),
 		_on_segment(model),
+		_on_detection(model),
 	]
 	for step in found.size():
 		if is_compared(model, step):
@@ -35,9 +36,10 @@ static func sentences(model: LineDistanceModel) -> PackedStringArray:
 	return found
 
 
-## Whether a mistake that is switched on is shown at [param step]: not before the right distance is.
+## Whether a mistake that is switched on is shown at [param step]: not before the right distance is,
+## and not while the ball flies.
 static func is_compared(model: LineDistanceModel, step: int) -> bool:
-	return model.mistake != 0 and step >= Step.DISTANCE
+	return model.mistake != 0 and step >= Step.DISTANCE and step < Step.DETECTION
 
 
 ## What is asked before the distance is shown, translated.
@@ -79,10 +81,59 @@ static func gap_text(model: LineDistanceModel) -> String:
 
 ## What was found at [param step], in two or three lines, translated.
 static func verdict(model: LineDistanceModel, step: int) -> PackedStringArray:
+	if step == Step.DETECTION:
+		return _detection_words(model)
 	var words: PackedStringArray = [_gap_words(model), _side_words(model, step)]
 	if model.mistake != 0:
 		words.append(_mistake_words(model))
 	return words
+
+
+## The tests of the last step, translated, in the order of [enum DiscreteDetection.Rule].
+static func rules() -> PackedStringArray:
+	return [
+		LabText.translate("red where d · n̂ < r"),
+		LabText.translate("red only in front: 0 ≤ d · n̂ < r"),
+		LabText.translate("red on both sides: |d · n̂| < r"),
+	]
+
+
+static func _detection_words(model: LineDistanceModel) -> PackedStringArray:
+	var seen := model.detection().red_count(model.frame)
+	var words: PackedStringArray = [
+		LabText.translate("red in %d of %d frames") % [seen, model.frame + 1]
+	]
+	if model.detection().is_never_seen():
+		words.append(LabText.translate("it passes between two frames"))
+	return words
+
+
+static func _on_detection(model: LineDistanceModel) -> String:
+	if model.detection().is_never_seen():
+		return (
+			LabText
+			. translate(
+				"Discrete detection looks once a frame: a ball this fast jumps over the line and is never seen."
+			)
+		)
+	match model.rule:
+		DiscreteDetection.Rule.ONLY_ABOVE:
+			return (
+				LabText
+				. translate(
+					"Discrete detection looks once a frame: red only in front of the line, closer than r."
+				)
+			)
+		DiscreteDetection.Rule.BOTH_SIDES:
+			return (
+				LabText
+				. translate(
+					"Discrete detection looks once a frame: red on both sides of the line, closer than r."
+				)
+			)
+	return LabText.translate(
+		"Discrete detection looks once a frame: red where d · n̂ < r, far behind the line, too."
+	)
 
 
 static func _gap_words(model: LineDistanceModel) -> String:

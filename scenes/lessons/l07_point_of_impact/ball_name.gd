@@ -53,7 +53,7 @@ func _draw() -> void:
 
 # So far beyond the rim that the text does not touch it.
 func _middle_of_text() -> Vector2:
-	var away := _direction.normalized().to_vector2()
+	var away := board.direction_to_screen(_direction.normalized())
 	var font := ThemeDB.fallback_font
 	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
 	var half := absf(away.x) * extent.x / 2.0 + absf(away.y) * _FONT_SIZE / 2.0

@@ -92,6 +92,7 @@ func _show() -> void:
 		_first_guess
 	)
 	tell_steps(PointOfImpactTexts.sentences(_model))
+	tell_code(PointOfImpactCode.lines(_model, step), PointOfImpactCode.inputs(_model, step))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
 	_readout.show_model(_model, step)

@@ -7,6 +7,9 @@ extends Node2D
 # Where along the line its normal is drawn.
 const _SHARE_OF_NORMAL := 0.12
 
+# How steeply a name beside a ball that touches rises from the line.
+const _SHARE_ABOVE := 0.35
+
 # What the point of impact is called (source text), and where it is the old position.
 const _POI := "POI"
 const _OLD_IS_POI := "old = POI"
@@ -27,6 +30,9 @@ const _OLD_IS_POI := "old = POI"
 @onready var _reset_way: Arrow = %ResetWay
 @onready var _impact: BallView = %Impact
 @onready var _off: DimensionLine = %Off
+@onready var _old_distance: DimensionLine = %OldDistance
+@onready var _radius: DimensionLine = %Radius
+@onready var _new_distance: DimensionLine = %NewDistance
 @onready var _a: DimensionLine = %A
 @onready var _b: DimensionLine = %B
 @onready var _level: Arrow = %Level
@@ -44,8 +50,9 @@ const _OLD_IS_POI := "old = POI"
 func show_model(model: PointOfImpactModel, step: int) -> void:
 	_lay_line(model, step)
 	_lay_frame(model)
-	_lay_ghost(model)
+	_lay_ghost(model, step)
 	_lay_reset(model, step)
+	_lay_distances(model, step)
 	_lay_ways(model, step)
 	_lay_impact(model, step)
 	_lay_mistake(model, step)
@@ -99,28 +106,49 @@ func _name_motion(model: PointOfImpactModel) -> void:
 
 
 # The ball at some moment of the frame.
-func _lay_ghost(model: PointOfImpactModel) -> void:
+func _lay_ghost(model: PointOfImpactModel, step: int) -> void:
 	var place := model.position_at_moment()
 	_ghost.lay(place, model.radius)
 	_ghost_handle.place(place)
 	_ghost_name.label = "t = " + NumberText.short(model.moment, 2)
 	_ghost_name.lay(place, model.radius, _sideways(model))
+	# The point of impact takes its place.
+	var is_replaced := step >= PointOfImpactTexts.Step.IMPACT and model.touches()
 	for part: CanvasItem in [_ghost, _ghost_handle, _ghost_name]:
-		part.visible = model.motion().length() > 0.0
+		part.visible = model.motion().length() > 0.0 and not is_replaced
 
 
 func _lay_reset(model: PointOfImpactModel, step: int) -> void:
 	var place := model.reset_position()
 	_reset.lay(place, model.radius)
 	_reset_way.lay(model.new_position, place)
+	# In between, distances and ways need the room.
 	_reset.visible = (
-		step >= PointOfImpactTexts.Step.RESET
+		step in [PointOfImpactTexts.Step.RESET, PointOfImpactTexts.Step.IMPACT]
 		and model.is_reset()
 		and not PointOfImpactTexts.is_compared(model, step)
 	)
 	_reset_way.visible = _reset.visible
-	_reset_name.lay(place, model.radius, _sideways(model))
+	_reset_name.lay(place, model.radius, _above(model, _sideways(model)))
 	_reset_name.visible = _reset.visible
+
+
+# From the line to both centres, and the radius beside the first.
+func _lay_distances(model: PointOfImpactModel, step: int) -> void:
+	var normal := model.line.normal()
+	var side := _sideways(model).negated()
+	var foot := model.old_position.minus(normal.scaled(model.old_distance()))
+	var new_foot := model.new_position.minus(normal.scaled(model.new_distance()))
+	_old_distance.label = tr("old %s") % NumberText.short(model.old_distance())
+	_new_distance.label = tr("new %s") % NumberText.short(model.new_distance())
+	_radius.label = "r %s" % NumberText.short(model.radius)
+	_old_distance.offset = model.radius * _endless.board.pixels_per_unit + 8.0
+	_new_distance.offset = _old_distance.offset
+	_old_distance.lay(foot, model.old_position, side)
+	_new_distance.lay(new_foot, model.new_position, side)
+	_radius.lay(foot, foot.plus(normal.scaled(model.radius)), side.negated())
+	for part: CanvasItem in [_old_distance, _radius, _new_distance]:
+		part.visible = step == PointOfImpactTexts.Step.DISTANCES
 
 
 func _lay_ways(model: PointOfImpactModel, step: int) -> void:
@@ -147,15 +175,17 @@ func _lay_impact(model: PointOfImpactModel, step: int) -> void:
 	_off.visible = _impact.visible and _reset.visible and is_on_the_way
 	_off.visible = _off.visible and not model.is_reset_at_impact()
 	_impact_name.visible = _impact.visible
-	_old_name.visible = not _impact.visible or is_on_the_way
+	# At t = 0 both are the same place.
+	var is_at_old := not is_on_the_way or model.fraction() == 0.0
+	_old_name.visible = not _impact.visible or not is_at_old
 	if not _impact.visible:
 		return
 	var place := model.impact_position()
 	_impact.lay(place, model.radius)
 	# A ball that is too close from the start touches where it is.
-	_impact_name.label = _POI if is_on_the_way else _OLD_IS_POI
-	var towards := _sideways(model) if is_on_the_way else model.motion()
-	_impact_name.lay(place, model.radius, towards.negated())
+	_impact_name.label = _OLD_IS_POI if is_at_old else _POI
+	var back := _above(model, _sideways(model).negated())
+	_impact_name.lay(place, model.radius, model.motion().negated() if is_at_old else back)
 	var off := place.distance_to(model.reset_position())
 	_off.label = tr("%s px off") % NumberText.short(off, 3)
 	_off.offset = model.radius * _endless.board.pixels_per_unit + 10.0
@@ -168,10 +198,10 @@ func _lay_mistake(model: PointOfImpactModel, step: int) -> void:
 	_wrong_name.visible = _wrong.visible
 	if _wrong.visible:
 		_wrong.lay(place, model.radius)
-		_wrong_name.lay(place, model.radius, _sideways(model))
+		_wrong_name.lay(place, model.radius, _above(model, _sideways(model)))
 
 
-# The card gives way to both positions of the ball.
+# The card gives way to both positions of the ball, and to the way of the whole frame.
 func _show_verdict(model: PointOfImpactModel, step: int) -> void:
 	_verdict.visible = step >= PointOfImpactTexts.Step.FRACTION
 	var hits := model.touches()
@@ -182,9 +212,14 @@ func _show_verdict(model: PointOfImpactModel, step: int) -> void:
 	)
 	var board := _endless.board
 	var places: PackedVector2Array = [
-		board.to_screen(model.old_position), board.to_screen(model.new_position)
+		board.to_screen(model.old_position), board.to_screen(model.new_position), _b.label_pixel()
 	]
 	_verdict.keep_off(places, model.radius * board.pixels_per_unit)
+
+
+# A direction that keeps a name off the line of contact, on which the ball's centre is.
+func _above(model: PointOfImpactModel, along: Vec2) -> Vec2:
+	return along.normalized().plus(model.line.normal().scaled(_SHARE_ABOVE))
 
 
 # The direction along the line in which the ball moves.

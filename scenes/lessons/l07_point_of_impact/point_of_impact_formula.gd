@@ -41,10 +41,12 @@ func _lines(model: PointOfImpactModel, step: int) -> PackedStringArray:
 		# The wrong t beside the right one replaces motion, reset and POI.
 		return found + PackedStringArray([_WAYS, _line_of_t(model), _line_of_wrong_t(model)])
 	found.append("v = new − old = {v_pair}     |v| = {speed}")
-	var added: PackedStringArray = [
-		_line_of_reset(model), _WAYS, _line_of_t(model), _line_of_impact(model)
-	]
-	return found + added.slice(0, step)
+	if step in [PointOfImpactTexts.Step.RESET, PointOfImpactTexts.Step.IMPACT]:
+		found.append(_line_of_reset(model))
+	if step == PointOfImpactTexts.Step.DISTANCES:
+		found.append(tr("old distance = {old_distance}     new distance = {new_distance}"))
+	var added: PackedStringArray = [_WAYS, _line_of_t(model), _line_of_impact(model)]
+	return found + added.slice(0, maxi(step - PointOfImpactTexts.Step.DISTANCES, 0))
 
 
 func _line_of_reset(model: PointOfImpactModel) -> String:

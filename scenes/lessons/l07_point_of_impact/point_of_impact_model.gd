@@ -9,15 +9,18 @@ enum Case { IN_FRAME, OVERLAPS_FROM_START, TOO_FAR, MOVING_AWAY, LEAVING, PARALL
 # What a distance may be off by, as a share of the places that it is computed from.
 const _ROUNDING := 4e-15
 const _LINE: PackedFloat64Array = [60.0, 45.0, -60.0, -45.0]
+const _SHORT_LINE: PackedFloat64Array = [24.0, 18.0, -24.0, -18.0]
 const _LONG_LINE: PackedFloat64Array = [200.0, 150.0, -200.0, -150.0]
 ## Presets by their titles (source text): what each changes in the model's state. The speeds are
 ## those of the course's scenes, in pixels per frame.
 const PRESETS: Dictionary[String, Dictionary] = {
 	"Lecture": {old = [6.0, -58.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
-	"10 px": {old = [6.0, -10.0], new = [6.0, 0.0], line = _LINE, radius = 10.0},
+	"10 px": {old = [6.0, -10.0], new = [6.0, 0.0], line = _SHORT_LINE, radius = 10.0},
 	"38 px": {old = [6.0, -36.5], new = [6.0, 1.5], line = _LINE, radius = 10.0},
 	"72 px": {old = [6.0, -26.0], new = [6.0, 46.0], line = _LINE, radius = 10.0},
 	"500 px": {old = [6.0, -308.0], new = [6.0, 192.0], line = _LONG_LINE, radius = 10.0},
+	"t = 0": {old = [6.0, -8.0], new = [6.0, 42.0], line = _LINE, radius = 10.0},
+	"t = 1": {old = [6.0, -58.0], new = [6.0, -8.0], line = _LINE, radius = 10.0},
 	"Not yet": {old = [6.0, -58.0], new = [6.0, -20.5], line = _LINE, radius = 10.0},
 	"Inside": {old = [3.0, -4.0], new = [3.0, 21.0], line = _LINE, radius = 10.0},
 	"Away": {old = [12.0, -16.0], new = [12.0, -66.0], line = _LINE, radius = 10.0},
@@ -149,8 +152,8 @@ func error_of(position: Vec2) -> float:
 func fraction_with_mistake() -> float:
 	var old := old_distance()
 	var new := new_distance()
-	# As far before the line as behind it: without their signs they are the same.
-	if mistake == PointOfImpactMistakes.UNSIGNED and _is_rounding(old + new):
+	# As far from the line as before, on either side: without their signs they are the same.
+	if mistake == PointOfImpactMistakes.UNSIGNED and _is_rounding(absf(old) - absf(new)):
 		return INF
 	return PointOfImpactMistakes.fraction(mistake, old, new, radius)
 

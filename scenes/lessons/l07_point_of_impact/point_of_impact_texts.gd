@@ -3,7 +3,7 @@ extends RefCounted
 ## The sentences and the verdict of the lesson on the point of impact.
 
 ## The steps, counted from 0.
-enum Step { MOTION, RESET, WAYS, FRACTION, IMPACT }
+enum Step { MOTION, RESET, DISTANCES, WAYS, FRACTION, IMPACT }
 
 
 ## One sentence a step, translated.
@@ -11,11 +11,11 @@ static func sentences(model: PointOfImpactModel) -> PackedStringArray:
 	var found: PackedStringArray = [
 		_on_motion(model),
 		_on_reset(model),
-		(
-			LabText
-			. translate(
-				"Now old and new are distances from the line: a = old − r to the contact, b = old − new in all."
-			)
+		LabText.translate(
+			"Measure along n̂: old and new are now distances from the line, below 0 behind it."
+		),
+		LabText.translate(
+			"a = old − r is the way along n̂ to the contact, b = old − new that of the whole frame."
 		),
 		_on_fraction(model),
 		_on_impact(model),
@@ -74,10 +74,7 @@ static func _case_words(model: PointOfImpactModel) -> PackedStringArray:
 	var t := NumberText.short(model.fraction())
 	match model.frame_case():
 		PointOfImpactModel.Case.IN_FRAME:
-			return [
-				LabText.translate("t = %s, within 0..1") % t,
-				LabText.translate("it touches in this frame")
-			]
+			return [LabText.translate("t = %s, within 0..1") % t, _moment_words(model.fraction())]
 		PointOfImpactModel.Case.OVERLAPS_FROM_START:
 			return [LabText.translate("t = %s, below 0") % t, _contact_at_once(model)]
 		PointOfImpactModel.Case.TOO_FAR:
@@ -97,6 +94,14 @@ static func _case_words(model: PointOfImpactModel) -> PackedStringArray:
 	if model.motion().length() == 0.0:
 		return [LabText.translate("v = 0: no t"), LabText.translate("it does not move")]
 	return [LabText.translate("b = 0: no t"), LabText.translate("it moves along the line")]
+
+
+static func _moment_words(fraction: float) -> String:
+	if fraction == 0.0:
+		return LabText.translate("it touches at the start of the frame, in old")
+	if fraction == 1.0:
+		return LabText.translate("it touches at the end of the frame, in new")
+	return LabText.translate("it touches in this frame")
 
 
 static func _contact_at_once(model: PointOfImpactModel) -> String:
@@ -132,7 +137,7 @@ static func _on_reset(model: PointOfImpactModel) -> String:
 		return (
 			LabText
 			. translate(
-				"Position reset: back along n̂ to the good side, until the ball touches. Was it ever there?"
+				"The line has one good side, that of n̂. Position reset: back along n̂ until the ball touches."
 			)
 		)
 	return LabText.translate("Position reset: new does not overlap the line, so nothing is moved.")
@@ -141,8 +146,11 @@ static func _on_reset(model: PointOfImpactModel) -> String:
 static func _on_fraction(model: PointOfImpactModel) -> String:
 	match model.frame_case():
 		PointOfImpactModel.Case.IN_FRAME:
-			return LabText.translate(
-				"t = a / b is the share of the frame until the contact. It counts only within 0..1."
+			return (
+				LabText
+				. translate(
+					"t = a / b: 0 is the start of the frame, 1 its end. Only within 0..1 it touches in this frame."
+				)
 			)
 		PointOfImpactModel.Case.OVERLAPS_FROM_START:
 			return LabText.translate("t is below 0: the contact lies before this frame.")

@@ -27,13 +27,15 @@ func start() -> void:
 	_let_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
 	_let_drag(%NormalHead as Handle, _drag_normal)
 	_let_drag(_leaving_head, _drag_leaving)
+	add_child(CardPlace.new(%Table as Control, board, services[&"formula"]))
 	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_unit_normal", tr("Normal of length 1"))
 	options.offer_presets(ReflectionModel.PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
 	var kinds := ReflectionExercise.Kind.size()
-	(services[&"question"] as Question).offer(ReflectionExercise.fresh, kinds)
+	var questions := services[&"question"] as Question
+	questions.offer(ReflectionExercise.fresh, kinds, 0, ReflectionExercise.of_the_lecture)
 	on_enter(_model.enter)
 	on_pick(_take)
 	# While the ball flies, nothing else has to be shown anew.
@@ -123,6 +125,7 @@ func _show() -> void:
 		_model.velocity_after.bind(1.0)
 	)
 	tell_steps(ReflectionTexts.sentences(_model))
+	tell_code(ReflectionCode.lines(_model, _step()), ReflectionCode.inputs(_model))
 	_drawing.show_model(_model, _step())
 	_formula.show_model(_model, _step())
 	_show_call()
@@ -138,7 +141,7 @@ func _step() -> ReflectionModel.Step:
 
 func _show_call() -> void:
 	_readout.visible = _step() == ReflectionModel.Step.BOUNCE
-	var title := "reflect(n, C)"
+	var title := "reflect(n̂, C)"
 	if _model.refusal():
 		_readout.show_texts("reflect", [title, tr("refused"), "", ""])
 		return

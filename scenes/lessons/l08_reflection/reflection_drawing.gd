@@ -5,6 +5,17 @@ extends Node2D
 
 ## Pixels that the ball is drawn wide, at every scale.
 const _BALL_PIXELS := 16.0
+# The corners in which the card may stand; the table takes the last one that is left.
+const _CORNERS: Array[Control.LayoutPreset] = [
+	Control.PRESET_TOP_LEFT,
+	Control.PRESET_TOP_RIGHT,
+	Control.PRESET_BOTTOM_RIGHT,
+	Control.PRESET_BOTTOM_LEFT,
+]
+# Pixels that are kept free around the card, and around the table.
+const _AROUND_CARD := 28.0
+# So high is a line of the card.
+const _PIXELS_OF_LINE := 26.0
 
 @onready var _line: Arrow = %Line
 @onready var _perpendicular: Arrow = %Perpendicular
@@ -32,6 +43,7 @@ func show_model(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	var is_split := step >= ReflectionModel.Step.SPLIT and not model.refusal()
 	_lay_line(model)
 	_lay_split(model, step, is_split)
+	_lay_slide(model, step, is_split)
 	_lay_subtracted(model, step, is_split)
 	_lay_angles(model, step, is_split)
 	_lay_handles(model, step)
@@ -56,46 +68,73 @@ func _lay_line(model: ReflectionModel) -> void:
 	var reach := model.facing_normal().scaled(model.velocity.length())
 	_line.lay(model.along.negated(), model.along)
 	_perpendicular.lay(reach.negated(), reach)
+	_normal.label = model.normal_symbol()
 	_normal.lay(Vec2.new(), model.used_normal())
+	_normal.keep_label_from(model.velocity.negated())
 	_coming.lay(model.velocity.negated(), Vec2.new())
 	_coming.keep_label_from(model.facing_normal())
 
 
 func _lay_split(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:
-	var part := model.normal_part()
+	var is_next := step == ReflectionModel.Step.NEXT_FRAME
+	var split := model.velocity_out() if is_next else model.velocity
+	var part := model.normal_part_of(split)
 	_velocity.lay(Vec2.new(), model.velocity)
-	# From the next step on, the arrows that are subtracted carry the name.
-	_part.label = "(v·n) n" if step == ReflectionModel.Step.SPLIT else ""
+	_velocity.keep_label_from(model.facing_normal())
+	var lies_on_line := model.is_along_line()
+	_velocity.label_place = Arrow.LabelPlace.MIDDLE if lies_on_line else Arrow.LabelPlace.HEAD
+	# In between, the arrows that are subtracted carry the name.
+	var names_part := is_next or step == ReflectionModel.Step.SPLIT
+	# Along the line it is nothing, and on the way back it lies on v out.
+	var is_crowded := model.is_along_line() or is_next and model.stops_after(1.0)
+	_part.label = "(v·n̂) n̂" if names_part and not is_crowded else ""
+	_part.label_place = Arrow.LabelPlace.HEAD if is_next else Arrow.LabelPlace.MIDDLE
 	_part.lay(Vec2.new(), part)
-	_part.keep_label_from(model.velocity)
-	_drop.lay(part, model.velocity)
-	_slide.lay(Vec2.new(), model.velocity_after(1.0))
-	_slide.keep_label_from(part.negated())
-	_velocity.visible = is_split
+	_part.keep_label_from(split)
+	_drop.lay(part, split)
+	_velocity.visible = is_split and not is_next
 	_part.visible = is_split
-	_drop.visible = is_split and step == ReflectionModel.Step.SPLIT
-	var slides := step >= ReflectionModel.Step.SLIDE and not model.stops_after(1.0)
-	_slide.visible = is_split and slides
+	_drop.visible = is_split and names_part
+
+
+func _lay_slide(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:
+	_slide.lay(Vec2.new(), model.velocity_after(1.0))
+	_slide.keep_label_from(model.normal_part().negated())
+	# Where v out lies on it, it says nothing.
+	var is_hidden := model.is_along_line() and step >= ReflectionModel.Step.MIRROR
+	is_hidden = is_hidden or model.stops_after(1.0) or step == ReflectionModel.Step.NEXT_FRAME
+	_slide.visible = is_split and step >= ReflectionModel.Step.SLIDE and not is_hidden
 
 
 func _lay_subtracted(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:
 	var slide := model.velocity_after(1.0)
 	var leaving := model.velocity_after(model.times_subtracted(step))
+	var is_next := step == ReflectionModel.Step.NEXT_FRAME
 	var bounces := is_split and step >= ReflectionModel.Step.MIRROR
 	_first.lay(model.velocity, slide)
 	_first.keep_label_from(Vec2.new())
 	_second.lay(slide, leaving)
 	_second.keep_label_from(Vec2.new())
-	_second.label = "−(v·n) n" if step == ReflectionModel.Step.MIRROR else "−C (v·n) n"
+	_second.label = "−(v·n̂) n̂" if step == ReflectionModel.Step.MIRROR else "−C (v·n̂) n̂"
 	_leaving.lay(Vec2.new(), leaving)
+	_place_name_of_leaving(model)
 	_mirror.lay(Vec2.new(), model.velocity_after(2.0))
-	var has_part := not model.is_along_line()
+	var has_part := not model.is_along_line() and not is_next
 	_second.visible = bounces and has_part and leaving.distance_to(slide) > 0.0
 	_first.visible = is_split and step >= ReflectionModel.Step.SLIDE and has_part
 	_leaving.visible = bounces
 	# Where it would lie on the arrow out of the line, it says nothing.
 	var turns := not model.has_equal_angles(model.times_subtracted(step))
 	_mirror.visible = bounces and model.mistake == 0 and turns and has_part
+
+
+# On the line or on the way back, what lies beyond the head is in the way of the name.
+func _place_name_of_leaving(model: ReflectionModel) -> void:
+	var is_along := model.is_along_line()
+	var is_beside := is_along or model.stops_after(1.0)
+	_leaving.label_place = Arrow.LabelPlace.MIDDLE if is_beside else Arrow.LabelPlace.HEAD
+	_leaving.label_share = 0.5 if is_along else 0.9
+	_leaving.keep_label_from(model.facing_normal() if is_along else model.along)
 
 
 func _lay_wrong(model: ReflectionModel) -> void:
@@ -106,8 +145,9 @@ func _lay_wrong(model: ReflectionModel) -> void:
 	_wrong.visible = model.mistake_shows()
 	# Reflected again, the wrong arrow ends where these have their names.
 	var is_crowded := model.mistake == ReflectionMistakes.REFLECTED_AGAIN
-	_first.label = "" if is_crowded else "−(v·n) n"
-	_velocity.label = "" if is_crowded else "v"
+	_first.label = "" if is_crowded else "−(v·n̂) n̂"
+	# Nor where v out lies along the line on it.
+	_velocity.label = "" if is_crowded or _leaving.visible and model.is_along_line() else "v"
 
 
 func _lay_angles(model: ReflectionModel, step: ReflectionModel.Step, is_split: bool) -> void:
@@ -116,7 +156,9 @@ func _lay_angles(model: ReflectionModel, step: ReflectionModel.Step, is_split: b
 	_angle_out.measure(Vec2.new(), model.facing_normal(), leaving)
 	# A ball at rest makes no angle.
 	_angle_in.visible = _angle_in.visible and model.velocity.length() > 0.0
-	var bounces := is_split and step >= ReflectionModel.Step.MIRROR
+	var is_last := step == ReflectionModel.Step.NEXT_FRAME
+	_angle_in.visible = _angle_in.visible and not is_last
+	var bounces := is_split and step >= ReflectionModel.Step.MIRROR and not is_last
 	_angle_out.visible = _angle_out.visible and bounces
 
 
@@ -127,7 +169,8 @@ func _lay_handles(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	(%ComingTail as Handle).place(model.velocity.negated())
 	(%VelocityHead as Handle).place(model.velocity)
 	(%VelocityHead as Handle).visible = _velocity.visible
-	# Hidden, it lies where the last step shows it: the lesson reads the bounciness there at the start.
+	# Hidden, it lies where the last step shows it: the lesson reads the bounciness there at the
+	# start.
 	var seen := step if _leaving.visible else ReflectionModel.Step.BOUNCE
 	(%LeavingHead as Handle).place(model.velocity_after(model.times_subtracted(seen)))
 	(%LeavingHead as Handle).visible = _leaving.visible
@@ -140,4 +183,36 @@ func _show_verdict(model: ReflectionModel, step: ReflectionModel.Step) -> void:
 	var role := Palette.Role.RIGHT if sign_text == "=" else Palette.Role.QUIET
 	if model.mistake_shows():
 		role = Palette.Role.WRONG
-	_verdict.show_verdict(sign_text, role, ReflectionTexts.verdict(model, step))
+	var words := ReflectionTexts.verdict(model, step)
+	_verdict.show_verdict(sign_text, role, words)
+	_keep_free(model, words.size())
+
+
+# Card and table stand where they hide neither a handle nor the ball at either end of its flight.
+func _keep_free(model: ReflectionModel, line_count: int) -> void:
+	var busy := model.places_to_keep_free()
+	var corners := _CORNERS.duplicate()
+	# The card itself grows only later.
+	var card := Vector2(_verdict.size.x, _PIXELS_OF_LINE * line_count + _AROUND_CARD)
+	var corner := _free_corner(corners, card, busy)
+	_verdict.stand_in(corner)
+	corners.erase(corner)
+	corners.reverse()
+	_table.stand_in(_free_corner(corners, _table.size, busy))
+
+
+# The first of these corners in which something of this size hides nothing; else the first.
+func _free_corner(
+	corners: Array[Control.LayoutPreset], size: Vector2, busy: Array[Vec2]
+) -> Control.LayoutPreset:
+	var board := _ball.board
+	var room := board.size - size
+	for corner in corners:
+		var is_right := corner in [Control.PRESET_TOP_RIGHT, Control.PRESET_BOTTOM_RIGHT]
+		var is_low := corner in [Control.PRESET_BOTTOM_LEFT, Control.PRESET_BOTTOM_RIGHT]
+		var at := Vector2(room.x if is_right else 0.0, room.y if is_low else 0.0)
+		var place := Rect2(at, size).grow(_AROUND_CARD)
+		var hides := func(point: Vec2) -> bool: return place.has_point(board.to_screen(point))
+		if not busy.any(hides):
+			return corner
+	return corners[0]

@@ -77,14 +77,20 @@ static func infos() -> Array[MistakeInfo]:
 			"test_bounce.test_mistake_11_a_normal_that_is_not_unit_is_refused",
 			LabText.translate("The test gives a normal of another length and wants it refused.")
 		),
-		MistakeInfo.new(
-			NORMAL_OF_NORMAL,
-			LabText.translate("normal of the normal"),
-			LabText.translate(
-				"That lies along the line: the ball turns back on its way, into the line."
-			),
-			"test_bounce.test_mistake_12_the_normal_of_the_normal_is_not_used",
-			LabText.translate("The test wants the part of v along the line to stay.")
+		(
+			MistakeInfo
+			. new(
+				NORMAL_OF_NORMAL,
+				LabText.translate("normal of the normal"),
+				(
+					LabText
+					. translate(
+						"That lies along the line: its motion along the line turns back. It goes on into the line."
+					)
+				),
+				"test_bounce.test_mistake_12_the_normal_of_the_normal_is_not_used",
+				LabText.translate("The test wants the part of v along the line to stay.")
+			)
 		),
 		MistakeInfo.new(
 			BOUNCY_TANGENT,

@@ -6,8 +6,9 @@ extends LessonModel
 ## plus along; the ball touches it there at time 0.
 
 ## How the drawing is built up. From the second one on, each step says how many times the part along
-## the normal is subtracted; the first one shows the ball as it bounces.
-enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE }
+## the normal is subtracted; the first one shows the ball as it bounces, and the last one asks
+## whether it is reflected once more in the next frame.
+enum Step { MEET, SPLIT, SLIDE, MIRROR, BOUNCE, NEXT_FRAME }
 
 ## Presets by their titles (source text): what each changes in the model's state.
 const PRESETS: Dictionary[String, Dictionary] = {
@@ -63,7 +64,7 @@ func used_normal() -> Vec2:
 
 ## The unit normal on the side from which the ball comes: v . n is not above 0 for it.
 func facing_normal() -> Vec2:
-	return unit_normal() if velocity.dot(unit_normal()) <= 0.0 else unit_normal().negated()
+	return unit_normal() if faces_ball() else unit_normal().negated()
 
 
 ## "" if the normal can be used; else the sentence with which [method Vec2.reflect] refuses it.
@@ -74,9 +75,34 @@ func refusal() -> String:
 	return tr("Vec2.reflect: the normal must have length 1, but has length %s.") % size
 
 
+## What the normal that is handed to reflect is called: one that is refused is no unit normal.
+func normal_symbol() -> String:
+	return "n" if refusal() else "n̂"
+
+
+## Whether [method unit_normal] points to the side from which the ball comes.
+func faces_ball() -> bool:
+	return velocity.dot(unit_normal()) <= 0.0
+
+
+## The velocity of the next frame: after the bounce.
+func velocity_out() -> Vec2:
+	return velocity_after(1.0 + bounciness)
+
+
+## Whether the ball moves away from the line after the bounce; with C = 0 it slides along it.
+func leaves_line() -> bool:
+	return velocity_out().dot(facing_normal()) > velocity.length() / 2.0 ** 50
+
+
 ## (v . n) n with the unit normal: the part of the velocity along the normal.
 func normal_part() -> Vec2:
-	return velocity.vector_projection(unit_normal())
+	return normal_part_of(velocity)
+
+
+## The same for [param moving], another velocity.
+func normal_part_of(moving: Vec2) -> Vec2:
+	return moving.vector_projection(unit_normal())
 
 
 ## Whether the ball moves along the line, or not at all: what rounding leaves of v . n counts as 0.
@@ -96,7 +122,7 @@ func stops_after(times: float) -> bool:
 func times_subtracted(step: Step) -> float:
 	if refusal() or step == Step.SPLIT:
 		return 0.0
-	if step in [Step.MEET, Step.BOUNCE]:
+	if step in [Step.MEET, Step.BOUNCE, Step.NEXT_FRAME]:
 		return 1.0 + bounciness
 	return 1.0 if step == Step.SLIDE else 2.0
 
@@ -147,6 +173,20 @@ func has_equal_angles(times: float) -> bool:
 func energy_share(leaving: Vec2) -> float:
 	var speed := velocity.length()
 	return (leaving.length() / speed) ** 2.0 if speed > 0.0 else 1.0
+
+
+## Heads, tails, line ends, and the ball where its flight begins and ends.
+func places_to_keep_free() -> Array[Vec2]:
+	var out := velocity_out()
+	return [
+		velocity.negated(),
+		velocity.scaled(START),
+		velocity,
+		out,
+		out.scaled(END),
+		along,
+		along.negated(),
+	]
 
 
 ## The centre of a ball of [param radius] at [member time], if it leaves with [param leaving].
@@ -214,7 +254,7 @@ func enter(name_in_line: String, value: float) -> String:
 			return _enter_normal_length(value)
 	if line.length() == 0.0:
 		return TranslationServer.translate(
-			"The line (0, 0) has no direction: x or y must not be 0."
+			"The line (0, 0) has no direction: x and y must not both be 0."
 		)
 	along = line
 	return ""

@@ -12,11 +12,11 @@ static func sentences(model: ReflectionModel) -> PackedStringArray:
 	if not model.velocity.length():
 		return _at_each_step(LabText.translate("v = 0: the ball does not move."))
 	var meet := LabText.translate(
-		"A ball with velocity v meets a line. n is the line's unit normal."
+		"A ball with velocity v meets a line. n̂ is the line's unit normal."
 	)
 	if model.is_along_line():
 		var nothing := _at_each_step(
-			LabText.translate("v · n = 0: no part of v goes into the line. v stays as it is.")
+			LabText.translate("v · n̂ = 0: no part of v goes into the line. v stays as it is.")
 		)
 		nothing[0] = meet
 		return nothing
@@ -26,8 +26,9 @@ static func sentences(model: ReflectionModel) -> PackedStringArray:
 		_on_slide(model),
 		LabText.translate("Subtract it twice: the law of reflection. Both angles are equal."),
 		LabText.translate(
-			"Subtract it (1 + C) times. C is the bounciness, the coefficient of restitution."
+			"Subtract it (1 + C) times. C is the coefficient of restitution (or reflection)."
 		),
+		_on_next_frame(model),
 	]
 
 
@@ -40,7 +41,7 @@ static func _at_each_step(sentence: String) -> PackedStringArray:
 
 ## What is asked before the ball slides, translated.
 static func question_on_slide() -> String:
-	return LabText.translate("What does the ball do if (v · n) n is subtracted from v once?")
+	return LabText.translate("What does the ball do if (v · n̂) n̂ is subtracted from v once?")
 
 
 ## The answers to [method question_on_slide], translated.
@@ -67,7 +68,14 @@ static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> Packe
 	if model.velocity.length() > 0.0:
 		var share := model.energy_share(model.velocity_after(times))
 		var percent := 0.0 if model.stops_after(times) else share * 100.0
-		words.append(LabText.translate("keeps %s %% of its energy") % NumberText.short(percent, 3))
+		var is_elastic := times == 2.0 and not model.is_along_line()
+		words.append(
+			(
+				LabText.translate("fully elastic: it keeps all its energy")
+				if is_elastic
+				else LabText.translate("keeps %s %% of its energy") % NumberText.short(percent, 3)
+			)
+		)
 	if model.mistake_shows():
 		var wrong := model.velocity_with_mistake()
 		words.append(LabText.translate("the mistake says: %s") % NumberText.pair(wrong.x, wrong.y))
@@ -89,10 +97,10 @@ static func verdict_sign(model: ReflectionModel, step: ReflectionModel.Step) -> 
 static func _on_part(model: ReflectionModel) -> String:
 	if model.velocity.dot(model.unit_normal()) < 0.0:
 		return LabText.translate(
-			"v · n < 0: n points to the ball's side. (v · n) n is the part of v along n."
+			"v · n̂ < 0: n̂ points to the ball's side. (v · n̂) n̂ is the part of v along n̂."
 		)
 	return LabText.translate(
-		"v · n > 0: n points to the other side. (v · n) n is the part of v along n."
+		"v · n̂ > 0: n̂ points to the other side. (v · n̂) n̂ is the part of v along n̂."
 	)
 
 
@@ -104,13 +112,33 @@ static func _on_slide(model: ReflectionModel) -> String:
 	)
 
 
+static func _on_next_frame(model: ReflectionModel) -> String:
+	if not model.leaves_line():
+		return (
+			LabText
+			. translate(
+				"It may overlap in the next frame, too. Reflect only if v · n̂ < 0: now it is 0, v stays."
+			)
+		)
+	if model.faces_ball():
+		return (
+			LabText
+			. translate(
+				"It may overlap in the next frame, too. Reflect only if v · n̂ < 0: now it is above 0, v stays."
+			)
+		)
+	return LabText.translate(
+		"It may still overlap. Reflect only if v · (−n̂) < 0, −n̂ being on its side: v stays."
+	)
+
+
 static func _angles(model: ReflectionModel, times: float) -> String:
 	if not model.velocity.length():
 		return LabText.translate("v = 0: the ball does not move")
 	if model.is_along_line():
 		return LabText.translate("it moves along the line")
-	var angle_in := NumberText.short(model.angle_in_degrees())
+	var angle_in := Conventions.angle_text(model.angle_in_degrees())
 	if model.stops_after(times):
-		return LabText.translate("in %s° to the normal, and it stops") % angle_in
-	var angle_out := NumberText.short(model.angle_out_degrees(model.velocity_after(times)))
-	return LabText.translate("in %s°, out %s° to the normal") % [angle_in, angle_out]
+		return LabText.translate("in %s to the normal, and it stops") % angle_in
+	var angle_out := Conventions.angle_text(model.angle_out_degrees(model.velocity_after(times)))
+	return LabText.translate("in %s, out %s to the normal") % [angle_in, angle_out]

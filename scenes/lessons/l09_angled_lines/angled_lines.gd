@@ -66,8 +66,8 @@ func _connect_player() -> void:
 
 func _ask_questions() -> void:
 	ask_before(1, AngledLinesTexts.touch_prompt(), _model.next_touch, _first_guess)
-	var resetting := func() -> int: return SteppingMethods.Method.POSITION_RESET
-	ask_choice_before(2, AngledLinesTexts.energy_prompt(), AngledLinesTexts.ways(), resetting)
+	var right := AngledLinesTexts.right_way.bind(_model)
+	ask_choice_before(2, AngledLinesTexts.energy_prompt(), AngledLinesTexts.ways(), right)
 
 
 func _fill_panel(options: LessonOptions, question: Question) -> void:
@@ -112,7 +112,8 @@ func _switch(key: String, on: bool) -> void:
 	if key == "trails":
 		_show_trails(on)
 	else:
-		_engine.switch(on, _model)
+		noticed.emit(_engine.switch(on, _model))
+		_show_trails(_drawing.has_trails)
 
 
 func _enter_number(name_in_line: String, value: float) -> String:
@@ -131,7 +132,7 @@ func _settle() -> void:
 
 func _show() -> void:
 	_options.show_model(_model, _drawing.has_trails, _engine.is_on())
-	services[&"readout"].visible = step >= 2
+	services[&"readout"].visible = step >= 2 and not _model.has_endless_lines
 	_engine.begin_anew(_model)
 	_drawing.show_model(_model)
 	_show_moment()
@@ -154,6 +155,8 @@ func _show_moment() -> void:
 	var bounce := forecast.next_bounce if forecast else _model.last_bounce
 	if _formula.show_moment(_model, bounce if step == 1 else null, _player.is_playing()):
 		_show_status()
+		var code := AngledLinesCode.new(_model, bounce if step == 1 else null)
+		tell_code(code.lines, code.inputs)
 
 
 func _show_status() -> void:

@@ -31,6 +31,7 @@ var _arrow_seconds := _ARROW_SECONDS
 var _ball: Ball
 
 @onready var _lines: LineViews = %Lines
+@onready var _endless_lines: EndlessLineViews = %EndlessLines
 @onready var _trails: BallTrails = %Trails
 @onready var _wrong_trails: BallTrails = %WrongTrails
 @onready var _balls: BallsView = %Balls
@@ -84,7 +85,9 @@ func scale_arrow(model: AngledLinesModel) -> void:
 ## Shows the lines of [param model] and its gravity. Trails that do not lead to the balls begin
 ## anew.
 func show_model(model: AngledLinesModel) -> void:
+	var no_lines: Array[LineSegment] = []
 	_lines.show_lines(model.lines())
+	_endless_lines.show_lines(model.lines() if model.has_endless_lines else no_lines)
 	_gravity.show_gravity(model.world.surroundings.gravity)
 	if not (_trails.lead_to(model.world) and _wrong_trails.lead_to(_wrong_world(model))):
 		begin_trails(model)

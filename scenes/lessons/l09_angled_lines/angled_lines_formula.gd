@@ -3,7 +3,7 @@ extends RefCounted
 ## The formula of the lesson on angled lines: gravity, bounciness, the selected ball and one of its
 ## bounces.
 ##
-## P is the ball's centre, v its velocity, n the normal of the line that it meets, v₁ and v₂ its
+## P is the ball's centre, v its velocity, n̂ the normal of the line that it meets, v₁ and v₂ its
 ## velocity before and after that bounce.
 
 const _LINES: PackedStringArray = [
@@ -78,7 +78,7 @@ func _put(name_in_line: String, value: float, role: Palette.Role, title: String)
 
 func _put_bounce(bounce: BounceRecord, bounciness: float) -> void:
 	var before := bounce.velocity_before
-	_formula.put_symbol("n", "n", Palette.Role.UNIT)
+	_formula.put_symbol("n", "n̂", Palette.Role.UNIT)
 	_formula.put_symbol("before", "v₁", Palette.Role.A)
 	_formula.put_symbol("after", "v₂", Palette.Role.PROJECTION)
 	_formula.put_vector("n_pair", bounce.normal, Palette.Role.UNIT)

@@ -38,6 +38,7 @@ static func of_state(stored: Dictionary) -> Dictionary:
 	return {
 		"scene": stored["preset"],
 		"method": METHODS[method],
+		"endless": stored["endless"],
 		"mistake": stored["mistake"],
 		"selected": stored["selected"],
 		"gravity": world["gravity"],
@@ -48,11 +49,14 @@ static func of_state(stored: Dictionary) -> Dictionary:
 	}
 
 
-## Those values of a link state that do not come from the start of a preset.
-static func picked_in(linked: Dictionary) -> Dictionary:
-	var found := {}
+## [param base], the start of a preset, with those values of the link state [param first] that do
+## not come from a preset. A preset with endless lines has the one way of stepping that knows them.
+static func with_picked(base: Dictionary, first: Dictionary) -> Dictionary:
+	var is_endless: bool = base["endless"]
+	var found := base.duplicate()
 	for name in _PICKED:
-		found[name] = linked[name]
+		if name == "scene" or not is_endless:
+			found[name] = first[name]
 	return found
 
 
@@ -60,6 +64,7 @@ static func picked_in(linked: Dictionary) -> Dictionary:
 static func problem_in(linked: Dictionary) -> String:
 	var method: String = linked["method"]
 	var mistake: int = linked["mistake"]
+	var is_endless: bool = linked["endless"]
 	var is_exact := method == METHODS[SteppingMethods.Method.EVENT_WORLD]
 	var infos: Array[MistakeInfo] = []
 	var preset: int = linked["scene"]
@@ -71,13 +76,25 @@ static func problem_in(linked: Dictionary) -> String:
 			[
 				StateCheck.within("scene", preset, 0, AngledLinesPresets.TITLES.size() - 1),
 				StateCheck.word("method", method, METHODS),
-				# The event world makes no mistake.
-				StateCheck.mistake(mistake, infos if is_exact else AngledLinesMistakes.all()),
+				problem_of_kind(is_endless, METHODS.find(method)),
+				# The event world makes no mistake; beside endless lines none is shown.
+				StateCheck.mistake(
+					mistake, infos if is_exact or is_endless else AngledLinesMistakes.all()
+				),
 				StateCheck.within("selected", selected, 0, balls.size() - 1),
 				_problem_of_surroundings(linked),
 				_problem_of_balls(linked),
 			]
 		)
+	)
+
+
+## "" if the way of stepping at the place [param method] knows the kind of line; else one sentence.
+static func problem_of_kind(is_endless: bool, method: int) -> String:
+	if not is_endless or method == SteppingMethods.Method.POSITION_RESET:
+		return ""
+	return LabText.translate(
+		"Only position reset knows endless lines: choose lines that end first."
 	)
 
 
@@ -100,6 +117,7 @@ static func to_state(linked: Dictionary) -> Dictionary:
 	return {
 		"preset": linked["scene"],
 		"method": METHODS.find(str(linked["method"])),
+		"endless": linked["endless"],
 		"mistake": linked["mistake"],
 		"selected": linked["selected"],
 		"world":

@@ -21,9 +21,12 @@ var world := SteppedWorld.new(WholeFrameMover.new())
 var wrong_world: SteppedWorld
 ## How a frame is stepped.
 var method := SteppingMethods.Method.WHOLE_FRAME
+## Whether the lines are those of the lecture's week 4: endless, with one good side. They are known
+## by position reset only, and no mistake is shown beside them.
+var has_endless_lines := false
 ## The number of the mistake that is switched on; 0 for none.
 var mistake := 0
-## The preset that was picked last, 0 to 9.
+## The preset that was picked last, 0 to 10.
 var preset := 0
 ## The place of the ball that can be dragged and typed.
 var selected := 0
@@ -48,24 +51,43 @@ func _init(first: SteppedWorld = AngledLinesPresets.world_of(0)) -> void:
 	set_up(0)
 
 
-## Puts up a preset, 0 to 9. The method and the mistake stay.
+## Puts up a preset, 0 to 10, with its kind of line. The method and the mistake stay where they can
+## be with that kind.
 func set_up(number: int) -> void:
 	preset = number
-	put_up(_first if number == 0 else AngledLinesPresets.world_of(number))
+	_put_up(
+		_first if number == 0 else AngledLinesPresets.world_of(number),
+		number == AngledLinesPresets.WEEK_4
+	)
 
 
-## Puts up a copy of [param other], such as the world of a question.
+## Puts up a copy of [param other], such as the world of a question, with lines that end.
 func put_up(other: SteppedWorld) -> void:
+	_put_up(other, false)
+
+
+func _put_up(other: SteppedWorld, with_endless_lines: bool) -> void:
 	selected = 0
 	world = other.copy()
 	_starts.take(world)
+	has_endless_lines = with_endless_lines
 	_begin()
 
 
 ## Switches to the way of stepping [param new_method]. A mistake is switched off where there is no
-## right way beside it; see [method AngledLinesMistakes.can_be_beside].
-func set_method(new_method: SteppingMethods.Method) -> void:
-	method = new_method
+## right way beside it; see [method AngledLinesMistakes.can_be_beside]. Refused where the way does
+## not know the kind of line.
+func set_method(new_method: SteppingMethods.Method) -> String:
+	var problem := AngledLinesLink.problem_of_kind(has_endless_lines, new_method)
+	if not problem:
+		method = new_method
+		_begin()
+	return problem
+
+
+## Takes endless lines or lines that end. Endless ones bring the way that knows them along.
+func set_endless_lines(on: bool) -> void:
+	has_endless_lines = on
 	_begin()
 
 
@@ -217,6 +239,7 @@ func to_dictionary() -> Dictionary:
 	return {
 		"preset": preset,
 		"method": method,
+		"endless": has_endless_lines,
 		"mistake": mistake,
 		"selected": selected,
 		"world": WorldState.of(world),
@@ -229,6 +252,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	preset = stored["preset"]
 	var stored_method: int = stored["method"]
 	method = stored_method as SteppingMethods.Method
+	has_endless_lines = stored["endless"]
 	mistake = stored["mistake"]
 	selected = stored["selected"]
 	Refusal.push(WorldState.put(stored_world, world))
@@ -248,11 +272,11 @@ func link_state() -> Dictionary:
 
 
 ## The start of the preset that [param wanted] names, with the method and the mistake of
-## [param first].
+## [param first] where its lines end.
 func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
 	var named: int = wanted["scene"]
 	var place := clampi(named, 0, AngledLinesPresets.TITLES.size() - 1)
-	return _at_start_of(place).link_state().merged(AngledLinesLink.picked_in(first), true)
+	return AngledLinesLink.with_picked(_at_start_of(place).link_state(), first)
 
 
 func problem_in(stored: Dictionary) -> String:
@@ -285,7 +309,10 @@ func _is_among_lines(point: Vec2) -> bool:
 
 # From here on energy is compared and the past is counted.
 func _begin() -> void:
-	world.mover = SteppingMethods.mover_of(method)
+	if has_endless_lines:
+		method = SteppingMethods.Method.POSITION_RESET
+		mistake = 0
+	world.mover = _mover()
 	wrong_world = null
 	if not AngledLinesMistakes.can_be_beside(mistake, method):
 		mistake = 0
@@ -298,6 +325,10 @@ func _begin() -> void:
 	timeline = null
 	if method == SteppingMethods.Method.EVENT_WORLD:
 		timeline = EventTimeline.new(world, FRAME)
+
+
+func _mover() -> BallMover:
+	return EndlessLineMover.new() if has_endless_lines else SteppingMethods.mover_of(method)
 
 
 func _worlds() -> Array[SteppedWorld]:

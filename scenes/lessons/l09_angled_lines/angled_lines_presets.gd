@@ -1,7 +1,7 @@
 class_name AngledLinesPresets
 extends RefCounted
-## The presets of the lesson on angled lines: the course's scenes of week 3, on the keys 0 to 9.
-## In the lesson, preset 0 is what its scene has at the start.
+## The presets of the lesson on angled lines: the course's scenes of week 3, on the keys 0 to 9, and
+## week 4 with its endless lines. In the lesson, preset 0 is what its scene has at the start.
 
 ## The title of each preset, by its key: source text.
 const TITLES: PackedStringArray = [
@@ -15,7 +15,10 @@ const TITLES: PackedStringArray = [
 	"Ten balls",
 	"Fifty balls",
 	"Energy",
+	"Week 4: endless lines",
 ]
+## The preset whose lines are endless. It has no key.
+const WEEK_4 := 10
 
 # Lines as x and y of both ends, in pixels.
 const _BOX: Array[Vector4i] = [
@@ -60,13 +63,15 @@ const _STACK: Array[Vector4i] = [
 const _WALLS: Array[Vector4i] = [
 	Vector4i(-20, -120, 20, 120), Vector4i(50, -120, 90, 120), Vector4i(160, -120, 160, 120)
 ]
+# From the right to the left, so that the normal points up.
+const _RAMP: Array[Vector4i] = [Vector4i(90, 0, -60, 40)]
 const _DIAGONAL: Array[Vector4i] = [Vector4i(-20, 110, 160, -70)]
 
 const _DOWN := Vector2i(0, 300)
 const _NONE := Vector2i(0, 0)
 
 
-## The world of the preset [param number], 0 to 9, at its start.
+## The world of the preset [param number], 0 to 10, at its start.
 static func world_of(number: int) -> SteppedWorld:
 	match number:
 		1:
@@ -87,6 +92,10 @@ static func world_of(number: int) -> SteppedWorld:
 			return _world(_BOX + _MANY, _DOWN, 1.0, _swarm(50, 6, _BOX + _MANY))
 		9:
 			return _world(_BOX, _DOWN, 1.0, [_ball(-150, -110, 60, 0, 14)])
+		WEEK_4:
+			return _world(
+				_BOX + _RAMP, _DOWN, 0.8, [_ball(40, -110, -60, 0, 14), _ball(120, 110, 0, 0, 14)]
+			)
 	return _world(_BOX + _ASSIGNMENT, _DOWN, 1.0, [_ball(-200, -120, 160, 0, 12)])
 
 

@@ -13,6 +13,7 @@ var _is_comparing := false
 ## Writes into [param readout].
 func _init(readout: Readout) -> void:
 	_readout = readout
+	_readout.is_the_point = true
 
 
 ## Begins to compare the ways of stepping from [param world] on.

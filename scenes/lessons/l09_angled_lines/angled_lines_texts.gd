@@ -13,18 +13,35 @@ static func methods() -> PackedStringArray:
 	]
 
 
-## The titles of the presets, each with its key.
+## The kinds of line: those that end come first.
+static func kinds_of_line() -> PackedStringArray:
+	return [
+		LabText.translate("Lines that end, two sides"),
+		LabText.translate("Endless lines, one side"),
+	]
+
+
+## The titles of the presets, each with its key if it has one.
 static func scenes() -> PackedStringArray:
 	var titles: PackedStringArray = []
 	for key in AngledLinesPresets.TITLES.size():
-		titles.append("%d  %s" % [key, TranslationServer.translate(AngledLinesPresets.TITLES[key])])
+		var title := LabText.translate(AngledLinesPresets.TITLES[key])
+		titles.append("%d  %s" % [key, title] if key <= 9 else title)
 	return titles
 
 
 ## What the steps say of [param model], where [param forecast] is the path to come; null while it is
 ## not shown, because time runs.
 static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStringArray:
-	return [
+	if model.has_endless_lines:
+		return [
+			LabText.translate("Week 4: lines are endless and work on the side to which n̂ points."),
+			_bounce_step(model, forecast),
+			LabText.translate(
+				"A ball behind a line is put before it. Next time: lines end, and have two sides."
+			),
+		]
+	var texts: PackedStringArray = [
 		(
 			LabText
 			. translate(
@@ -39,6 +56,19 @@ static func steps(model: AngledLinesModel, forecast: BallForecast) -> PackedStri
 			)
 		),
 	]
+	for step in texts.size():
+		texts[step] = (texts[step] + " " + _growth(model)).strip_edges()
+	return texts
+
+
+# Why the card shows too much energy; "" where it does not. Only dropping the rest needs words: by
+# position reset the ball is seen to be lifted.
+static func _growth(model: AngledLinesModel) -> String:
+	if model.method != SteppingMethods.Method.POINT_OF_IMPACT:
+		return ""
+	if not _is_too_much(model.energy_share(model.world)):
+		return ""
+	return LabText.translate("A ball on a line stays there while gravity adds to v: E grows.")
 
 
 static func _bounce_step(model: AngledLinesModel, forecast: BallForecast) -> String:
@@ -69,6 +99,12 @@ static func energy_prompt() -> String:
 	return LabText.translate(
 		"With gravity and C = 1: which way of stepping lets a ball jump higher and higher?"
 	)
+
+
+## The place of the right one of [method ways] for [method energy_prompt]; -1 with endless lines,
+## where nothing is compared.
+static func right_way(model: AngledLinesModel) -> int:
+	return -1 if model.has_endless_lines else SteppingMethods.Method.POSITION_RESET
 
 
 ## The headings of the comparison after [param frames] frames. It goes on only while time stands

@@ -93,5 +93,5 @@ func _draw_ball(middle: Vector2, pixels: float, color: Color) -> void:
 func _disc(pixels: float, color: Color) -> Texture2D:
 	var rim := snappedf(maxf(pixels - DotTexture.RIM / 2.0, 1.0), 0.25)
 	if not _discs.has(rim):
-		_discs[rim] = DotTexture.of(color.lerp(Palette.PAPER, 0.7), color, rim)
+		_discs[rim] = DotTexture.of(color.lerp(Palette.drawn(Palette.PAPER), 0.7), color, rim)
 	return _discs[rim]

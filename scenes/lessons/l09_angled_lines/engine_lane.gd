@@ -37,12 +37,14 @@ func gap() -> float:
 	return _gap
 
 
-## Lets the body start where the selected ball of [param model] is now, or takes it away.
-func switch(on: bool, model: AngledLinesModel) -> void:
-	if on:
+## Lets the body start where the selected ball of [param model] is now, or takes it away. "" or one
+## sentence on why there can be none.
+func switch(on: bool, model: AngledLinesModel) -> String:
+	if on and not model.has_endless_lines:
 		_begin(model)
-	else:
-		_switch_off()
+		return ""
+	_switch_off()
+	return tr("Godot's lines have ends here: choose lines that end first.") if on else ""
 
 
 func _begin(model: AngledLinesModel) -> void:
@@ -55,9 +57,14 @@ func _begin(model: AngledLinesModel) -> void:
 	show_moment(model)
 
 
-## Lets the body start anew where it is switched on: the shot has changed.
+## Lets the body start anew where it is switched on: the shot has changed. Among endless lines,
+## which the body does not know, it is switched off.
 func begin_anew(model: AngledLinesModel) -> void:
-	if is_on():
+	if not is_on():
+		return
+	if model.has_endless_lines:
+		_switch_off()
+	else:
 		_begin(model)
 
 

@@ -35,6 +35,7 @@ func _init(world: SteppedWorld, frame_seconds: float) -> void:
 	_frame = frame_seconds
 	_first_frames = world.frames
 	_first_bounces = world.bounces
+	world.push_out_balls()
 	for i in world.balls.size():
 		var made: EventWorld = null
 		if world.is_lost[i] == 0:

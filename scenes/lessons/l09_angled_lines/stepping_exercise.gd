@@ -17,6 +17,8 @@ const _HALF_LINE := 90.0
 ## The world that the question is about, to be shown on the board.
 var world := SteppedWorld.new(WholeFrameMover.new())
 
+var _solution := ""
+
 
 ## A question with numbers drawn from [param rng].
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SteppingExercise:
@@ -31,6 +33,10 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SteppingExercise:
 		Kind.GRAVITY:
 			exercise._ask_gravity(rng)
 	return exercise
+
+
+func solution() -> String:
+	return _solution
 
 
 func _ask_earliest(rng: RandomNumberGenerator) -> void:
@@ -50,6 +56,10 @@ func _ask_earliest(rng: RandomNumberGenerator) -> void:
 	_show(Ball.new(old, _RADIUS, motion.scaled(60.0)), [first, last], motion.normalized().negated())
 	answer_titles = ["x =", "y ="]
 	right_answer = [first.x, first.y]
+	_solution = (
+		tr("Line A is touched first: the old position + 0.25 of the motion = %s + 0.25 %s = %s.")
+		% [_text(old), _text(motion), _text(first)]
+	)
 	_add_vector(
 		last, tr("That is the last hit. The ball bounces off the line that it touches first.")
 	)
@@ -65,7 +75,9 @@ func _ask_rest(rng: RandomNumberGenerator) -> void:
 	var share := tenths / 10.0
 	prompt = (
 		(
-			tr("A ball falls %s px in a frame and touches the floor at t = %s. No gravity, C = 1. ")
+			tr(
+				"A ball moves down by %s px a frame and touches the floor at t = %s. No gravity, C = 1. "
+			)
 			+ tr("How many px above the contact is it when the frame ends?")
 		)
 		% [NumberText.short(speed), NumberText.short(share)]
@@ -74,15 +86,21 @@ func _ask_rest(rng: RandomNumberGenerator) -> void:
 	_show(Ball.new(start, _RADIUS, Vec2.new(0.0, 60.0 * speed)), [Vec2.new()], Vec2.new(0.0, -1.0))
 	answer_titles = ["d ="]
 	right_answer = [(1.0 - share) * speed]
-	add_mistake([0.0], tr("The rest of the frame was dropped: (1 − t) of it is still to be used."))
-	_add_either_sign(
-		share * speed, tr("That is the way before the bounce; after it 1 − t is left.")
+	_solution = (
+		tr("1 − t = %s of the frame is left, and the ball goes up: %s · %s = %s px.")
+		% _texts([1.0 - share, 1.0 - share, speed, right_answer[0]])
 	)
-	_add_either_sign(
-		speed, tr("That is the way of a whole frame; a part of it was used up by the fall.")
+	add_mistake([0.0], tr("The rest of the frame was dropped: (1 − t) of it is still to be used."))
+	# Up or down may be positive for the student.
+	add_mistake_of_either_sign(
+		[share * speed], tr("That is the way before the bounce; after it 1 − t is left.")
+	)
+	add_mistake_of_either_sign(
+		[speed], tr("That is the way of a whole frame; a part of it was made before the touch.")
 	)
 	add_mistake(
-		[-right_answer[0]], tr("That is its y, which points down. How many px above is positive.")
+		[-right_answer[0]],
+		tr("That is its y, which points down. Px above the contact count as positive.")
 	)
 
 
@@ -96,7 +114,7 @@ func _ask_moving_away(rng: RandomNumberGenerator) -> void:
 	prompt = (
 		(
 			tr(
-				"A ball overlaps a line by 1 px. Its velocity is v = %s, the normal towards it n = %s, "
+				"A ball overlaps a line by 1 px. Its velocity is v = %s, the normal towards it n̂ = %s, "
 			)
 			+ tr("C = 1. What is its velocity after this frame's check?")
 		)
@@ -104,21 +122,25 @@ func _ask_moving_away(rng: RandomNumberGenerator) -> void:
 	)
 	_show(Ball.new(normal.negated(), _RADIUS, velocity), [Vec2.new()], normal)
 	answer_titles = ["x =", "y ="]
+	var along := [NumberText.short(velocity.dot(normal)), _text(velocity)]
 	if Bounce.is_approaching(velocity, normal):
 		right_answer = [reflected.x, reflected.y]
-		_add_vector(velocity, tr("v · n is negative: the ball approaches and must be reflected."))
+		along.append(_text(reflected))
+		_solution = tr("v · n̂ = %s is negative: reflect %s, which gives %s.") % along
+		_add_vector(velocity, tr("v · n̂ is negative: the ball approaches and must be reflected."))
 		_add_vector(
 			velocity.rejection(normal), tr("Subtracted once: that is C = 0. Twice for C = 1.")
 		)
 		_add_vector(
 			velocity.plus(velocity.minus(reflected)),
-			tr("The sign is wrong: subtract 2 (v · n) n from v.")
+			tr("The sign is wrong: subtract 2 (v · n̂) n̂ from v.")
 		)
 	else:
 		right_answer = [velocity.x, velocity.y]
+		_solution = tr("v · n̂ = %s is positive: the ball moves away, so v stays %s.") % along
 		_add_vector(
 			reflected,
-			tr("v · n is positive: it moves away already. Reflected once more, it sticks.")
+			tr("v · n̂ is positive: it moves away already. Reflected once more, it sticks.")
 		)
 
 
@@ -140,13 +162,17 @@ func _ask_gravity(rng: RandomNumberGenerator) -> void:
 	Refusal.push(world.surroundings.set_gravity(Vec2.new(0.0, 60.0 * gravity)))
 	answer_titles = ["v ="]
 	right_answer = [before]
-	_add_either_sign(
-		speed + gravity,
+	_solution = (
+		tr("Gravity has acted for t = %s of the frame: %s + %s · %s = %s px/s.")
+		% _texts([tenths / 5.0, speed, tenths / 5.0, gravity, before])
+	)
+	add_mistake_of_either_sign(
+		[speed + gravity],
 		tr("That is the gravity of the whole frame: only the share t of it has acted.")
 	)
-	_add_either_sign(speed, tr("Gravity acts, too: for the share t of the frame."))
-	_add_either_sign(
-		before - 2.0 * gravity * tenths / 5.0,
+	add_mistake_of_either_sign([speed], tr("Gravity acts, too: for the share t of the frame."))
+	add_mistake_of_either_sign(
+		[before - 2.0 * gravity * tenths / 5.0],
 		tr("The sign is wrong: the ball falls, so gravity makes it faster.")
 	)
 	add_mistake(
@@ -166,15 +192,16 @@ func _show(ball: Ball, contacts: Array[Vec2], normal: Vec2) -> void:
 	Refusal.push(world.set_balls([ball]))
 
 
-# Up or down may be positive for the student.
-func _add_either_sign(answer: float, sentence: String) -> void:
-	add_mistake([answer], sentence)
-	add_mistake([-answer], sentence)
-
-
 func _add_vector(answer: Vec2, sentence: String) -> void:
 	add_mistake([answer.x, answer.y], sentence)
 
 
 static func _text(vector: Vec2) -> String:
 	return NumberText.pair(vector.x, vector.y)
+
+
+static func _texts(numbers: PackedFloat64Array) -> Array[String]:
+	var texts: Array[String] = []
+	for number in numbers:
+		texts.append(NumberText.short(number))
+	return texts

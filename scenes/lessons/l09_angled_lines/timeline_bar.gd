@@ -51,7 +51,9 @@ func _draw() -> void:
 	var line := 2.0 * _LEGEND + (size.y - 2.0 * _LEGEND) * _LINE
 	var at := _draw_legend(_MARGIN, Palette.Role.PROJECTION, tr("bounce of the ball"))
 	_draw_legend(at, Palette.Role.UNIT, tr("comes to rest"))
-	draw_line(Vector2(_MARGIN, line), Vector2(size.x - _MARGIN, line), Palette.AXIS, 2.0)
+	draw_line(
+		Vector2(_MARGIN, line), Vector2(size.x - _MARGIN, line), Palette.drawn(Palette.AXIS), 2.0
+	)
 	_draw_seconds(line)
 	for seconds in _impacts:
 		_draw_impact(seconds, line, Palette.Role.PROJECTION)
@@ -59,7 +61,7 @@ func _draw() -> void:
 		_draw_impact(seconds, line, Palette.Role.UNIT)
 	_draw_now(line)
 	if has_focus():
-		draw_rect(Rect2(Vector2.ZERO, size), Palette.FOCUS, false, 3.0)
+		draw_rect(Rect2(Vector2.ZERO, size), Palette.drawn(Palette.FOCUS), false, 3.0)
 
 
 func _draw_seconds(line: float) -> void:
@@ -67,7 +69,7 @@ func _draw_seconds(line: float) -> void:
 	var color := Palette.color(Palette.Role.QUIET)
 	for i in int(EventTimeline.SPAN) + 1:
 		var x := pixel_of(_from + i)
-		draw_line(Vector2(x, line - 5.0), Vector2(x, line + 5.0), Palette.AXIS, 1.5)
+		draw_line(Vector2(x, line - 5.0), Vector2(x, line + 5.0), Palette.drawn(Palette.AXIS), 1.5)
 		var text := "%d" % (_from + i) + (" s" if i == int(EventTimeline.SPAN) else "")
 		var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
 		var at := Vector2(minf(x - width / 2.0, size.x - width), size.y - 4.0)
@@ -101,7 +103,7 @@ func _draw_now(line: float) -> void:
 	var at := Vector2(pixel_of(_now), line)
 	var color := Palette.color(Palette.Role.A)
 	draw_line(Vector2(at.x, 2.0 * _LEGEND), Vector2(at.x, size.y - 18.0), color, 3.0)
-	var dot := DotTexture.of(Palette.PAPER, color, 7.0)
+	var dot := DotTexture.of(Palette.drawn(Palette.PAPER), color, 7.0)
 	draw_texture(dot, at - dot.get_size() / 2.0)
 
 

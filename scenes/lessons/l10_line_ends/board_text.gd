@@ -20,5 +20,5 @@ func lay(point: Vec2, towards: Vec2) -> void:
 
 
 func _draw() -> void:
-	var middle := board.to_screen(_point) + _direction.to_vector2() * 20.0
+	var middle := board.to_screen(_point) + board.direction_to_screen(_direction) * 20.0
 	draw_text(text, middle, Palette.color(role), 18)

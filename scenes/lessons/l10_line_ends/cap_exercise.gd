@@ -22,6 +22,8 @@ var radius: float
 ## The quadratic for the end and the ball.
 var equation: CapEquation
 
+var _solution := ""
+
 
 ## A question on a ball of [param with_radius] whose centre begins at [param from] as seen from the
 ## end of the line and moves by [param by].
@@ -52,6 +54,10 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> CapExercise:
 	return new(kind, touch.minus(by.scaled(fraction)), by, touch.length())
 
 
+func solution() -> String:
+	return _solution
+
+
 ## Lays the numbers of the question into [param model], with the line behind its end.
 func lay(model: LineEndsModel) -> void:
 	var touch := difference.plus(motion.scaled(equation.first_root()))
@@ -69,6 +75,10 @@ static func _random_sign(rng: RandomNumberGenerator) -> int:
 func _ask_fraction() -> void:
 	_ask(tr("At which share t of the frame does it touch the end?"), ["t ="])
 	right_answer = [equation.first_root()]
+	_solution = (
+		tr("t = (−b − √D) / (2 a) = (%s − %s) / %s = %s.")
+		% _texts([-equation.b, sqrt(equation.discriminant()), 2.0 * equation.a, right_answer[0]])
+	)
 	var d := equation.discriminant()
 	add_mistake([equation.second_root()], tr("That is t₂, the way out. The first touch is t₁."))
 	add_mistake([(-equation.b - d * d) / (2.0 * equation.a)], tr("D was squared: take its root."))
@@ -93,6 +103,10 @@ func _ask_discriminant() -> void:
 	var a := equation.a
 	var b := equation.b
 	right_answer = [equation.discriminant()]
+	_solution = (
+		tr("a = v · v = %s, b = 2 d · v = %s, c = d · d − r² = %s: D = b² − 4 a c = %s.")
+		% _texts([a, b, equation.c, right_answer[0]])
+	)
 	add_mistake([sqrt(equation.discriminant())], tr("That is the root of D already."))
 	add_mistake([b * b + 4.0 * a * equation.c], tr("4ac is taken away, not added."))
 	add_mistake(
@@ -110,21 +124,31 @@ func _ask_discriminant() -> void:
 func _ask_normal() -> void:
 	var fraction := equation.first_root()
 	_ask(
-		tr("It touches at t = %s. What is the unit normal n?") % NumberText.short(fraction),
-		["nx =", "ny ="]
+		tr("It touches at t = %s. What is the unit normal n̂?") % NumberText.short(fraction),
+		["n̂x =", "n̂y ="]
 	)
 	var touch := difference.plus(motion.scaled(fraction))
 	var normal := touch.normalized()
 	right_answer = [normal.x, normal.y]
-	add_mistake([-normal.x, -normal.y], tr("n points from the end to the ball, not the other way."))
+	_solution = (
+		tr("At the touch the ball is at %s: divided by r = %s, that is %s.")
+		% [
+			NumberText.pair(touch.x, touch.y),
+			NumberText.short(radius),
+			NumberText.pair(normal.x, normal.y),
+		]
+	)
+	add_mistake(
+		[-normal.x, -normal.y], tr("n̂ points from the end to the ball, not the other way.")
+	)
 	_add_both_ways(touch, tr("That is not of length 1 yet: divide it by r."))
 	_add_both_ways(
 		difference.normalized(), tr("That is at the start: take the ball where it touches.")
 	)
 	_add_both_ways(
-		motion.normal(), tr("That is perpendicular to v: n goes from the end to the ball.")
+		motion.normal(), tr("That is perpendicular to v: n̂ goes from the end to the ball.")
 	)
-	_add_both_ways(normal.normal(), tr("That is the normal of the normal: 90 degrees too far."))
+	_add_both_ways(normal.normal(), tr("That is the normal of the normal: 90° too far."))
 	_add_both_ways(difference.plus(motion).normalized(), tr("That is after the frame, not at t."))
 
 
@@ -145,7 +169,13 @@ func _ask(question: String, titles: PackedStringArray) -> void:
 	answer_titles = titles
 
 
+static func _texts(numbers: PackedFloat64Array) -> Array[String]:
+	var texts: Array[String] = []
+	for number in numbers:
+		texts.append(NumberText.short(number))
+	return texts
+
+
 # Students take the difference of ball and end, and a normal, in either direction.
 func _add_both_ways(answer: Vec2, sentence: String) -> void:
-	add_mistake([answer.x, answer.y], sentence)
-	add_mistake([-answer.x, -answer.y], sentence)
+	add_mistake_of_either_sign([answer.x, answer.y], sentence)

@@ -68,9 +68,14 @@ func _largest_distance() -> float:
 
 func _draw_axis() -> void:
 	var span := _span()
-	draw_line(_pixel(span.x, 0.0), _pixel(span.y, 0.0), Palette.AXIS, 1.5)
+	draw_line(_pixel(span.x, 0.0), _pixel(span.y, 0.0), Palette.drawn(Palette.AXIS), 1.5)
 	for fraction: float in [0.0, 1.0]:
-		draw_line(_pixel(fraction, 0.0), _pixel(fraction, _largest_distance()), Palette.GRID, 1.0)
+		draw_line(
+			_pixel(fraction, 0.0),
+			_pixel(fraction, _largest_distance()),
+			Palette.drawn(Palette.GRID),
+			1.0
+		)
 		var text := "t = %s" % NumberText.short(fraction)
 		var left := clampf(_pixel(fraction, 0.0).x - 18.0, 4.0, size.x - 48.0)
 		_write(text, Vector2(left, size.y - 8.0), Palette.Role.QUIET)
@@ -114,7 +119,7 @@ func _draw_root(fraction: float, text: String, role: Palette.Role) -> void:
 
 func _draw_live_point() -> void:
 	var at := _pixel(_fraction, _equation.distance_at(_fraction))
-	draw_circle(at, 7.0, Palette.PAPER, true, -1.0, true)
+	draw_circle(at, 7.0, Palette.drawn(Palette.PAPER), true, -1.0, true)
 	draw_circle(at, 7.0, Palette.color(Palette.Role.INK), false, 2.5, true)
 
 

@@ -18,7 +18,7 @@ func show_cap(model: LineEndsModel, step: int) -> void:
 	_difference.visible = step == LineEndsTexts.Step.CAP
 	_difference.lay(cap, model.start)
 	var shows_roots := step >= LineEndsTexts.Step.ROOTS and equation.has_roots()
-	_first.visible = shows_roots
+	_first.visible = shows_roots and (step == LineEndsTexts.Step.ROOTS or _touches_later(model))
 	_second.visible = shows_roots and step == LineEndsTexts.Step.ROOTS
 	if shows_roots:
 		var first := model.start.plus(model.motion.scaled(equation.first_root()))
@@ -31,6 +31,11 @@ func show_cap(model: LineEndsModel, step: int) -> void:
 	if is_on_cap:
 		_normal.lay(cap, impact.position)
 		_normal.keep_label_from(model.new_position())
+
+
+# Not where the ball overlaps the end at the start: it touches at t = 0, and t₁ is before that.
+func _touches_later(model: LineEndsModel) -> bool:
+	return model.bounces_on_the_end() and model.impact_in(kind).fraction > 0.0
 
 
 # The names of the ends are on the side of the line that is away from the ball's start.

@@ -57,10 +57,10 @@ func _set_up(preset: String) -> void:
 	LineEndsPresets.lay(_model, preset)
 
 
-# A mistake that makes no difference to this shot brings its own shot.
+# A mistake that is not to be seen at this shot brings its own shot.
 func _switch_mistake(number: int) -> void:
 	_model.mistake = number
-	if number != 0 and not LineEndsMistakes.shows(number, _model):
+	if number != 0 and not LineEndsMistakes.is_seen(number, _model):
 		LineEndsPresets.lay(_model, LineEndsMistakeTexts.telling_preset(number))
 
 
@@ -97,6 +97,8 @@ func _show() -> void:
 	tell_steps(LineEndsTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_formula.show_model(_model, step)
+	var code := LineEndsCode.new(_model, step)
+	tell_code(code.lines, code.inputs)
 	_readout.show_model(_model, step)
 
 

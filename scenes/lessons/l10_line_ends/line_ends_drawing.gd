@@ -68,7 +68,7 @@ func fit(model: LineEndsModel) -> void:
 ## Draws [param model] up to the step [param step], counted from 0.
 func show_model(model: LineEndsModel, step: int) -> void:
 	for i in _fields.size():
-		_fields[i].visible = step >= _FIRST_STEPS[i]
+		_fields[i].visible = _has_room_for(i, step)
 		_fields[i].show_model(model, _wrong_flight(model, _fields[i].kind), step)
 		_fields[i].show_name(i == _ACTIVE_FIELDS[step])
 	_layout.active = _ACTIVE_FIELDS[step]
@@ -79,6 +79,17 @@ func show_model(model: LineEndsModel, step: int) -> void:
 	# After its bounce the ball is no longer on the curve.
 	var fraction := minf(model.fraction, impact.fraction) if impact.hit else model.fraction
 	_graph.show_equation(model.cap_equation(), LineEndsTexts.end_name(model), fraction)
+
+
+# A narrow, low board has room for the field that the step is about, and for the one before it until
+# the graph comes.
+func _has_room_for(field: int, step: int) -> bool:
+	if step < _FIRST_STEPS[field]:
+		return false
+	if size.x >= LineEndsLayout.NARROW or size.y >= Board.SMALL:
+		return true
+	var active := _ACTIVE_FIELDS[step]
+	return field == active or field == active - 1 and step < LineEndsTexts.Step.QUADRATIC
 
 
 # No lesson runs in the editor that would call these.

@@ -3,7 +3,7 @@ extends RefCounted
 ## The formula of the lesson on line ends: its lines, step by step, and what each name in them is.
 ##
 ## P is the ball's centre at the beginning of the frame, v its motion, r its radius. The line goes
-## from A to B with the normal n. d goes from the end that is met to P.
+## from A to B with the unit normal n̂. d goes from the end that is met to P.
 
 const _GIVEN: PackedStringArray = [
 	"P = ( {px} , {py} )   {v} = ( {vx} , {vy} )   r = {r}",
@@ -67,7 +67,7 @@ func _put_line(model: LineEndsModel, step: int) -> void:
 	var normal := model.segment.normal() if is_one_sided else model.facing_normal()
 	var signed := LineDistance.signed_distance(model.start, model.segment)
 	var approach := -model.motion.dot(normal)
-	_formula.put_symbol("n", "n", Palette.Role.UNIT)
+	_formula.put_symbol("n", "n̂", Palette.Role.UNIT)
 	_formula.put_vector("n_pair", normal, Palette.Role.UNIT)
 	var scale := 4.0 * (model.start.length() + model.segment.start.length())
 	_formula.put_sum("signed", signed, scale, Palette.Role.INK)

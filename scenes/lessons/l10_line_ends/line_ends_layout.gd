@@ -9,6 +9,8 @@ extends Container
 ## On a board narrower than this, in pixels, the small fields lie below the large one.
 const NARROW := 620.0
 const _GAP := 8.0
+# Between the words of a field and the title of the one below.
+const _ROW_GAP := 24.0
 # What the large field and the graph take of the board.
 const _LARGE_SHARE := 0.56
 const _GRAPH_SHARE := 0.32
@@ -33,7 +35,7 @@ func _notification(what: int) -> void:
 	if size.x < NARROW:
 		if small:
 			large = board.grow_side(SIDE_BOTTOM, -board.size.y * (1.0 - _LARGE_SHARE))
-			_lay_in_columns(small, _below(large, board), 2)
+			_lay_in_columns(small, _below(large, board), small.size())
 	elif small:
 		large = board.grow_side(SIDE_LEFT, -board.size.x * (1.0 - _LARGE_SHARE))
 		_lay_in_columns(small, _left_of(large, board), 1 if small.size() < 3 else 2)
@@ -74,11 +76,11 @@ func _lay_large(place: Rect2) -> void:
 
 func _lay_in_columns(fields: Array[Control], place: Rect2, columns: int) -> void:
 	var rows := ceilf(float(fields.size()) / columns)
-	var gaps := Vector2(columns - 1, rows - 1.0) * _GAP
+	var gaps := Vector2(columns - 1, rows - 1.0) * Vector2(_GAP, _ROW_GAP)
 	var cell := (place.size - gaps) / Vector2(columns, rows)
 	for i in fields.size():
 		var corner := (
-			Vector2(i % columns, floori(float(i) / columns)) * (cell + Vector2(_GAP, _GAP))
+			Vector2(i % columns, floori(float(i) / columns)) * (cell + Vector2(_GAP, _ROW_GAP))
 		)
 		fit_child_in_rect(fields[i], Rect2(place.position + corner, cell))
 

@@ -6,7 +6,7 @@ const _TELLING_PRESETS: Dictionary[int, String] = {
 	19: "Miss",
 	20: "Head-on",
 	22: "End",
-	23: "End",
+	23: "Miss",
 }
 
 
@@ -16,9 +16,11 @@ static func infos() -> Array[MistakeInfo]:
 		MistakeInfo.new(
 			18,
 			LabText.translate("D squared instead of rooted"),
-			LabText.translate("(−b − D²) / 2a: a gap of 8 at speed 10 gives t = −64799, not 0.5."),
+			LabText.translate(
+				"(−b − D²) / 2a: 5 px from the touch at speed 10, t = −64799, not 0.5."
+			),
 			"test_cap_impact.test_the_discriminant_is_rooted_not_squared",
-			LabText.translate("The test wants t = 0.5 for a gap of 8 px at speed 10.")
+			LabText.translate("The test wants t = 0.5 for a ball 5 px from the touch at speed 10.")
 		),
 		MistakeInfo.new(
 			19,
@@ -38,13 +40,21 @@ static func infos() -> Array[MistakeInfo]:
 			"test_cap_impact.test_the_time_counts_from_the_old_position",
 			LabText.translate("The test wants the ball to be r away from the end at t.")
 		),
-		MistakeInfo.new(
-			22,
-			LabText.translate("end tested too late"),
-			LabText.translate("Above the line AFTER the frame is not above it at the impact."),
-			"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame",
-			LabText.translate(
-				"The test shoots past an end at an angle, so that old and new tell different sides."
+		(
+			MistakeInfo
+			. new(
+				22,
+				LabText.translate("end tested too late"),
+				LabText.translate(
+					"Between the ends AFTER the frame is not between them at the impact."
+				),
+				"test_segment_impact.test_the_end_is_tested_at_the_impact_not_after_the_frame",
+				(
+					LabText
+					. translate(
+						"The test shoots past an end at an angle: beside the line at first, not when it touches."
+					)
+				)
 			)
 		),
 		MistakeInfo.new(

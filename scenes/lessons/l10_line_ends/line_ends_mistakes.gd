@@ -36,6 +36,17 @@ static func shows(number: int, model: LineEndsModel) -> bool:
 	return not wrong.position_at(1.0).equals_approx(right.position_at(1.0), 1e-6)
 
 
+## Whether the mistake changes something for the shot of [param model], and not the same as another
+## mistake does.
+static func is_seen(number: int, model: LineEndsModel) -> bool:
+	var is_alike := number == 23 and _same_impact(impact(23, model), impact(22, model))
+	return shows(number, model) and not is_alike
+
+
+static func _same_impact(one: Impact, other: Impact) -> bool:
+	return one.hit == other.hit and (not one.hit or one.fraction == other.fraction)
+
+
 ## Points around the ball where the mistake of [param model] has it touch: a picture must show them.
 ## None where that is far off.
 static func outline(model: LineEndsModel) -> Array[Vec2]:

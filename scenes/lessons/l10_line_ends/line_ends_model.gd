@@ -16,6 +16,7 @@ enum Result {
 	BOUNCES_ON_THE_END,
 	PASSES_THROUGH,
 	CUTS_THROUGH_THE_END,
+	DRIVES_IN_LENGTHWISE,
 	PASSES_BESIDE,
 	FALLS_SHORT,
 	MOVES_AWAY,
@@ -101,7 +102,8 @@ func result_in(field: Field) -> Result:
 	if impact_in(two_sided).hit:
 		return Result.PASSES_THROUGH
 	if not is_infinite and impact_in(Field.ROUND_CAPS).hit:
-		return Result.CUTS_THROUGH_THE_END
+		var is_along := impact_in(two_sided).outcome == Impact.Outcome.PARALLEL
+		return Result.DRIVES_IN_LENGTHWISE if is_along else Result.CUTS_THROUGH_THE_END
 	return _result_of_miss(impact_in(two_sided).outcome)
 
 

@@ -11,7 +11,7 @@ static func sentences(model: LineEndsModel) -> PackedStringArray:
 		LabText.translate(
 			"As before: an infinite line with one good side. A ball from behind passes through."
 		),
-		LabText.translate("Turn n to the ball's side: now both sides work. Still infinite."),
+		LabText.translate("Turn n̂ to the ball's side: now both sides work. Still infinite."),
 		LabText.translate(
 			"With ends, 0 ≤ s ≤ 1 must hold: the ball's centre F is beside the line at the touch."
 		),
@@ -27,7 +27,7 @@ static func sentences(model: LineEndsModel) -> PackedStringArray:
 static func _on_bounce(model: LineEndsModel) -> String:
 	if model.bounces_on_the_end():
 		return LabText.translate(
-			"n points from the end to the ball's centre. Reflect v on it as before."
+			"n̂ points from the end to the ball's centre. Reflect v on it as before."
 		)
 	if model.impact_in(LineEndsModel.Field.ROUND_CAPS).hit:
 		return LabText.translate(
@@ -48,7 +48,7 @@ static func choices_on_end() -> PackedStringArray:
 
 ## What is asked before the bounce, translated.
 static func question_on_normal() -> String:
-	return LabText.translate("The ball touches the end. Which way does its normal n point?")
+	return LabText.translate("The ball touches the end. Which way does its normal n̂ point?")
 
 
 ## The answers to [method question_on_normal]; the first is right.
@@ -127,6 +127,8 @@ static func _of_result(result: LineEndsModel.Result) -> String:
 			return LabText.translate("passes through from behind")
 		LineEndsModel.Result.CUTS_THROUGH_THE_END:
 			return LabText.translate("finds no hit, cuts through the end")
+		LineEndsModel.Result.DRIVES_IN_LENGTHWISE:
+			return LabText.translate("finds no hit, drives in lengthwise")
 	return _of_miss(result)
 
 

@@ -29,13 +29,13 @@ func _draw() -> void:
 		return
 	var from := board.to_screen(_segment.start)
 	var to := board.to_screen(_segment.end)
-	var along := _segment.along().normalized().to_vector2()
+	var along := board.direction_to_screen(_segment.along().normalized())
 	if _is_infinite():
 		var far := along * (board.size.length() + from.distance_to(to))
 		from -= far
 		to += far
 		draw_line(from, to, Palette.color(Palette.Role.INK), 3.0, true)
-	var normal := _segment.normal().to_vector2()
+	var normal := board.direction_to_screen(_segment.normal())
 	_draw_side(from, to, normal)
 	if _is_two_sided():
 		_draw_side(from, to, -normal)

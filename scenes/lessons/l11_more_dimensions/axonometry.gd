@@ -2,7 +2,8 @@ class_name Axonometry
 extends RefCounted
 ## A parallel view of three axes: which point of the picture a point of space is seen at.
 ##
-## x points right, y down and z away before the view is turned.
+## Before the view is turned, x points right, y down and z away; or, turned over about the x axis, y
+## up and z towards the eye. Both are right-handed.
 
 ## The view goes no further up or down than this, in radians.
 const STEEPEST := 1.4
@@ -11,6 +12,9 @@ const STEEPEST := 1.4
 var yaw := 0.5
 ## The view tilted from above (negative: from below), in radians, within [constant STEEPEST].
 var pitch := -0.45
+
+## y points up, and z towards the eye.
+var is_y_up := false
 
 
 ## Turns the view; the tilt stays within [constant STEEPEST].
@@ -39,9 +43,13 @@ func step_in_space(step: Vec2) -> PackedFloat64Array:
 
 # What lies one unit to the right in the picture.
 func _rightwards() -> PackedFloat64Array:
-	return [cos(yaw), 0.0, sin(yaw)]
+	return [cos(yaw), 0.0, sin(yaw) * _side()]
 
 
 # What lies one unit down in the picture.
 func _downwards() -> PackedFloat64Array:
-	return [-sin(yaw) * sin(pitch), cos(pitch), cos(yaw) * sin(pitch)]
+	return [-sin(yaw) * sin(pitch), cos(pitch) * _side(), cos(yaw) * sin(pitch) * _side()]
+
+
+func _side() -> float:
+	return -1.0 if is_y_up else 1.0

@@ -11,6 +11,9 @@ signal component_released
 
 const _BAR_PIXELS := 26.0
 const _FONT_SIZE := 17
+# Pixels for the numbers above the bars, and for numbers and letters below them.
+const _ROOM_ABOVE := 14.0
+const _ROOM_BELOW := 34.0
 
 ## The components of a, in units. There may be more of them than [member dimension].
 @export var a: PackedFloat64Array = []:
@@ -23,7 +26,7 @@ const _FONT_SIZE := 17
 		b = value
 		_show_change()
 ## How many components of each are shown.
-@export_range(1, 4) var dimension := 3:
+@export_range(1, 5) var dimension := 3:
 	set(value):
 		dimension = value
 		_show_change()
@@ -57,14 +60,21 @@ func show_model(model: MoreDimensionsModel) -> void:
 	_place_handles()
 
 
+## Bars of positive numbers point up, whichever way y is drawn.
+func turn_over(_y_is_up: bool) -> void:
+	pass
+
+
 func _draw() -> void:
 	super()
 	var axis := to_screen(Vec2.new()).y
-	draw_line(Vector2(0.0, axis), Vector2(size.x, axis), Palette.AXIS, 1.5)
+	draw_line(Vector2(0.0, axis), Vector2(size.x, axis), Palette.drawn(Palette.AXIS), 1.5)
 	for i in _count():
 		_draw_bar(_pixel_of(i, 0), a[i], Palette.Role.A)
 		_draw_bar(_pixel_of(i, 1), b[i], Palette.Role.B)
-		_write("xyzw"[i], Vector2(_pixel_of(i, 0.5), size.y - 8.0), Palette.Role.QUIET)
+		_write(
+			ComponentLists.LETTERS[i], Vector2(_pixel_of(i, 0.5), size.y - 8.0), Palette.Role.QUIET
+		)
 
 
 # No lesson runs in the editor that would choose the scale.
@@ -89,6 +99,11 @@ func _lay() -> void:
 	var reach := 1.0
 	for i in _count():
 		reach = maxf(reach, maxf(absf(a[i]), absf(b[i])))
+	# The margin of a small board is too narrow for numbers and letters.
+	if is_small():
+		keep_free(_ROOM_ABOVE, _ROOM_BELOW)
+	else:
+		keep_free(0.0, 0.0)
 	fit([Vec2.new(0.0, reach)] as Array[Vec2])
 	_place_handles()
 

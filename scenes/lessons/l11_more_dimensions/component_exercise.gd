@@ -1,14 +1,16 @@
 class_name ComponentExercise
 extends Exercise
-## Asks for a dot product of three or four whole-number components, or for the component that makes
+## Asks for a dot product of three to five whole-number components, or for the component that makes
 ## the angle right.
 
 ## What is asked for.
 enum Kind { DOT, MISSING }
 
-## The vectors of the question, three or four components each.
+## The vectors of the question, three to five components each.
 var a: PackedFloat64Array
 var b: PackedFloat64Array
+
+var _solution := ""
 
 
 ## A question on the vectors [param one] and [param other], which are equally long; for
@@ -22,9 +24,9 @@ func _init(kind: Kind, one: PackedFloat64Array, other: PackedFloat64Array) -> vo
 		_ask_missing()
 
 
-## A question with components drawn from [param rng], none of them 0; three or four of them.
+## A question with components drawn from [param rng], none of them 0; three to five of them.
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
-	var dimension := rng.randi_range(3, 4)
+	var dimension := rng.randi_range(3, MoreDimensionsModel.MOST)
 	var one := _random_list(dimension, rng)
 	var other := _random_list(dimension, rng)
 	if kind == Kind.MISSING:
@@ -32,9 +34,21 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> ComponentExercise:
 	return new(kind, one, other)
 
 
-## The vectors of the question; a fourth component stays as it is where there are three.
+## The vectors of the question; the other components stay as they are.
 func board_state() -> Dictionary:
-	return {"a": a, "b": b, "has_four": a.size() == MoreDimensionsModel.MOST}
+	var found := {
+		"a": a.slice(0, MoreDimensionsModel.IN_LISTS),
+		"b": b.slice(0, MoreDimensionsModel.IN_LISTS),
+		"has_four": a.size() == 4,
+		"has_five": a.size() == MoreDimensionsModel.MOST,
+	}
+	if a.size() == MoreDimensionsModel.MOST:
+		found["fifth"] = PackedFloat64Array([a[-1], b[-1]])
+	return found
+
+
+func solution() -> String:
+	return _solution
 
 
 static func _random_list(dimension: int, rng: RandomNumberGenerator) -> PackedFloat64Array:
@@ -49,6 +63,7 @@ func _ask_dot() -> void:
 	answer_titles = ["a · b ="]
 	var right := ComponentLists.dot(a, b)
 	right_answer = [right]
+	_solution = "a · b = %s = %s" % [_products(), NumberText.short(right)]
 	var last := a.size() - 1
 	add_mistake([right - a[last] * b[last]], tr("The last component counts, too."))
 	add_mistake([-right], tr("The sign is wrong: unlike signs make a product negative."))
@@ -66,6 +81,15 @@ func _ask_missing() -> void:
 	prompt = question % [_text(a, a.size()), _text(b, last)]
 	answer_titles = [tr("last of b =")]
 	right_answer = [wanted]
+	_solution = (
+		tr("The other products add up to %s, so the last component is −(%s) / %s = %s.")
+		% [
+			NumberText.short(known),
+			NumberText.short(known),
+			_in_product(a[last]),
+			NumberText.short(wanted),
+		]
+	)
 	add_mistake([-wanted], tr("The sign is wrong: the products must add up to 0."))
 	add_mistake([-a[last]], tr("Not the opposite of a's: all products together must be 0."))
 	add_mistake([0.0], tr("Then a · b is %s, not 0.") % NumberText.short(known))
@@ -76,6 +100,19 @@ func _sum_of_sizes() -> float:
 	for i in a.size():
 		sum += absf(a[i] * b[i])
 	return sum
+
+
+# 4·2 + (−3)·(−4) + ...
+func _products() -> String:
+	var parts: PackedStringArray = []
+	for i in a.size():
+		parts.append("%s·%s" % [_in_product(a[i]), _in_product(b[i])])
+	return " + ".join(parts)
+
+
+static func _in_product(value: float) -> String:
+	var text := NumberText.short(value)
+	return "(%s)" % text if value < 0.0 else text
 
 
 static func _sum(list: PackedFloat64Array) -> float:

@@ -2,6 +2,9 @@ class_name ComponentLists
 extends RefCounted
 ## The dot product of two equally long lists of components, whatever their number.
 
+## The names of the components that a picture of them has.
+const LETTERS := "xyzwu"
+
 
 ## a1 b1 + a2 b2 + ...; 0 for empty lists.
 static func dot(one: PackedFloat64Array, other: PackedFloat64Array) -> float:

@@ -1,11 +1,9 @@
 extends Lesson
-## The lesson on more dimensions: the same dot product with three and four components. The
+## The lesson on more dimensions: the same dot product with three, four and five components. The
 ## components at the start are those of the bars in the scene, the view is that of the picture.
 
 ## The opening turns the axes so fast, in radians a second.
 const _TURN_SPEED := TAU / OpeningMotion.LONGEST
-# Pixels between the card and the bars below it.
-const _GAP := 8.0
 
 var _model := MoreDimensionsModel.new()
 var _formula: MoreDimensionsFormula
@@ -15,11 +13,12 @@ var _held: PackedFloat64Array = []
 @onready var _readout: Readout = services.get(&"readout")
 @onready var _picture: SpacePicture = %Picture
 @onready var _bars: ComponentBars = %Bars
-@onready var _place_of_bars: Control = %PlaceOfBars
 @onready var _stairs: ProductStairs = %Stairs
 @onready var _card: Control = %VerdictCard
 @onready var _verdict: Label = %Verdict
 @onready var _hint: Label = %Hint
+@onready var _uses: UsesTable = %Uses
+@onready var _layout := MoreDimensionsLayout.new(board)
 
 
 func start() -> void:
@@ -35,13 +34,19 @@ func start() -> void:
 	_formula = MoreDimensionsFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
 	options.add_switch("has_four", tr("Four components"))
+	options.add_switch("has_five", tr("Five components"))
 	options.offer_presets(MoreDimensionsModel.PRESETS)
 	var kinds := ComponentExercise.Kind.size()
 	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_model.take)
+	on_pick(_pick)
 	about_to_show.connect(_fit)
 	begin(_model, _show)
+	# In the panel the last one comes first.
+	for card: Control in [_hint, _stairs, _card, _uses]:
+		var place := CardPlace.new(card, board, services[&"steps"])
+		place.changed.connect(show_all)
+		add_child(place)
 	open_with(_turn_slowly.bind(_model.view.yaw))
 
 
@@ -51,6 +56,14 @@ func _turn_slowly(seconds: float, first: float) -> void:
 
 
 # What the student does.
+
+
+# Of the two switches one is on at most.
+func _pick(changes: Dictionary) -> String:
+	for names: PackedStringArray in [["has_four", "has_five"], ["has_five", "has_four"]]:
+		if changes.get(names[0], false) and not changes.has(names[1]):
+			return _model.take(changes.merged({names[1]: false}))
+	return _model.take(changes)
 
 
 # A head in space keeps to whole numbers: the eye cannot tell depth between them. Its way counts
@@ -75,19 +88,10 @@ func _turn(yaw: float, pitch: float) -> void:
 
 
 func _fit() -> void:
-	_arrange()
+	_layout.arrange(_model.is_beyond_space())
+	_model.view.is_y_up = Conventions.is_y_up()
 	_picture.fit_model(_model)
 	_bars.fit_model(_model)
-
-
-# Three axes fit into a picture; with four, the bars take its place, below the card.
-func _arrange() -> void:
-	_picture.visible = not _model.has_four
-	var place: Control = _picture if _model.has_four else _place_of_bars
-	for side: Side in [SIDE_LEFT, SIDE_TOP, SIDE_RIGHT, SIDE_BOTTOM]:
-		_bars.set_anchor_and_offset(side, place.get_anchor(side), place.get_offset(side))
-	if _model.has_four:
-		_bars.offset_top += _card.get_combined_minimum_size().y + _GAP
 
 
 func _show() -> void:
@@ -101,17 +105,31 @@ func _show() -> void:
 	_formula.show_model(_model, step)
 	_picture.show_model(_model, step)
 	_bars.show_model(_model)
-	_stairs.visible = step >= MoreDimensionsTexts.Step.PRODUCTS
+	_show_parts()
 	_stairs.products = _model.products()
 	_stairs.shows_sum = step >= MoreDimensionsTexts.Step.SUM
-	_card.visible = step >= MoreDimensionsTexts.Step.SIGN
-	_verdict.text = MoreDimensionsTexts.verdict(_model)
+	_verdict.text = Conventions.in_unit(MoreDimensionsTexts.verdict(_model))
 	_hint.text = MoreDimensionsTexts.hint(_model)
 	_show_calls()
+	var code := MoreDimensionsCode.new(_model, step)
+	tell_code(code.lines, code.inputs)
+
+
+# The table takes the place of everything else.
+func _show_parts() -> void:
+	_uses.show_uses()
+	_uses.visible = step == MoreDimensionsTexts.Step.USES
+	# On a small board it is in the panel.
+	var is_covered := _uses.visible and _uses.get_parent() == board
+	_picture.visible = not (is_covered or _model.is_beyond_space())
+	_bars.visible = not is_covered
+	_hint.visible = not is_covered
+	_stairs.visible = step >= MoreDimensionsTexts.Step.PRODUCTS and not is_covered
+	_card.visible = step >= MoreDimensionsTexts.Step.SIGN and not is_covered
 
 
 func _show_calls() -> void:
-	_readout.visible = step >= MoreDimensionsTexts.Step.ANGLE and _model.has_angle()
+	_readout.visible = step == MoreDimensionsTexts.Step.ANGLE and _model.has_angle()
 	if not _readout.visible:
 		return
 	var one := _model.counted_a()

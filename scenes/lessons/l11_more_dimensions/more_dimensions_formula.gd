@@ -53,14 +53,23 @@ func _lines(model: MoreDimensionsModel, step: int) -> PackedStringArray:
 	return found
 
 
-# With as many digits as tell it from a right angle, where it is none.
+# In the unit that is chosen, with as many digits as tell it from a right angle, where it is none.
 static func _angle_text(model: MoreDimensionsModel) -> String:
-	var angle := model.angle_degrees()
-	var digits := 4
 	var is_right := model.side() == MoreDimensionsModel.Side.RIGHT
-	while not is_right and NumberText.rounded(angle, digits) == 90.0 and digits < 17:
+	var degrees := 90.0 if is_right else model.angle_degrees()
+	var share := Conventions.share_of_pi(degrees)
+	if share and (is_right or degrees != 90.0):
+		return share
+	var angle := Conventions.shown(degrees)
+	var right := Conventions.shown(90.0)
+	var digits := 4
+	while not is_right and _is_same(angle, right, digits) and digits < 17:
 		digits += 1
-	return NumberText.short(90.0 if is_right else angle, digits)
+	return NumberText.short(angle, digits)
+
+
+static func _is_same(one: float, other: float, digits: int) -> bool:
+	return NumberText.rounded(one, digits) == NumberText.rounded(other, digits)
 
 
 static func _list(letter: String, dimension: int) -> String:

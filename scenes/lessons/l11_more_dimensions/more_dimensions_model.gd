@@ -1,6 +1,6 @@
 class_name MoreDimensionsModel
 extends LessonModel
-## Two vectors of three or four components, and the one dot product that serves them all.
+## Two vectors of three, four or five components, and the one dot product that serves them all.
 
 ## What the sign of the dot product says of the angle.
 enum Side { OBTUSE = -1, RIGHT = 0, ACUTE = 1 }
@@ -13,8 +13,10 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Flat": {a = [7, 1, 0, 0], b = [8, -6, 0, 0]},
 }
 
-## This many components are kept; with three, the last one does not count.
-const MOST := 4
+## This many components are kept; with fewer, the last ones do not count.
+const MOST := 5
+## So many of them are the lists a and b in a link; what is behind them has a name of its own there.
+const IN_LISTS := 4
 ## No component is larger in size than this, so that products stay exact enough to be compared.
 const LARGEST := 1e6
 ## No component but 0 is smaller in size than this.
@@ -23,17 +25,26 @@ const SMALLEST := 1e-6
 const LEAST_ANGLE := 1e-13
 
 ## The components of both vectors, in units; always [constant MOST] of them.
-var a: PackedFloat64Array = [4.0, -3.0, 2.0, 1.0]
-var b: PackedFloat64Array = [2.0, -4.0, -1.0, 3.0]
+var a: PackedFloat64Array = [4.0, -3.0, 2.0, 1.0, 3.0]
+var b: PackedFloat64Array = [2.0, -4.0, -1.0, 3.0, -2.0]
 ## True for four components, false for three.
 var has_four := false
+## True for five components.
+var has_five := false
 ## From where the three axes are looked at.
 var view := Axonometry.new()
 
 
-## How many components count: 3 or 4.
+## How many components count: 3, 4 or 5.
 func dimension() -> int:
-	return MOST if has_four else MOST - 1
+	if has_five:
+		return MOST
+	return 4 if has_four else 3
+
+
+## Whether there are more components than a picture in space has axes.
+func is_beyond_space() -> bool:
+	return dimension() > 3
 
 
 ## The components of a that count.
@@ -159,9 +170,11 @@ func set_component(letter: String, index: int, value: float) -> String:
 
 func to_dictionary() -> Dictionary:
 	return {
-		"a": a.duplicate(),
-		"b": b.duplicate(),
+		"a": a.slice(0, IN_LISTS),
+		"b": b.slice(0, IN_LISTS),
+		"fifth": PackedFloat64Array([a[-1], b[-1]]),
 		"has_four": has_four,
+		"has_five": has_five,
 		"view": PackedFloat64Array([view.yaw, view.pitch]),
 	}
 
@@ -174,19 +187,28 @@ func problem_in(stored: Dictionary) -> String:
 			var problem := model.set_component(letter, i, components[i])
 			if problem:
 				return problem
+	var fifth: PackedFloat64Array = stored["fifth"]
+	for component in fifth:
+		var refused := model.set_component("a", MOST - 1, component)
+		if refused:
+			return refused
 	var angles: PackedFloat64Array = stored["view"]
 	var steepest := Axonometry.STEEPEST
 	return StateCheck.within("view", angles[1], -steepest, steepest)
 
 
-## The vectors in [param stored] may have fewer components than [constant MOST]: the others stay.
+## The lists in [param stored] may have fewer components than [constant IN_LISTS]: the others stay.
 func from_dictionary(stored: Dictionary) -> void:
 	var components_of_a: PackedFloat64Array = stored["a"]
 	var components_of_b: PackedFloat64Array = stored["b"]
 	for i in components_of_a.size():
 		a[i] = components_of_a[i]
 		b[i] = components_of_b[i]
+	var fifth: PackedFloat64Array = stored["fifth"]
+	a[-1] = fifth[0]
+	b[-1] = fifth[1]
 	has_four = stored["has_four"]
+	has_five = stored["has_five"]
 	var angles: PackedFloat64Array = stored["view"]
 	view.yaw = angles[0]
 	view.pitch = angles[1]

@@ -3,7 +3,7 @@ extends RefCounted
 ## The sentences and the verdict of the lesson on more dimensions.
 
 ## The steps in order.
-enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE }
+enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE, USES }
 
 
 ## One sentence a step, translated.
@@ -14,6 +14,7 @@ static func sentences(model: MoreDimensionsModel) -> PackedStringArray:
 		LabText.translate("Add the products: one number comes out, whatever the dimension."),
 		_on_sign(model),
 		_on_angle(model),
+		LabText.translate("What the dot product is for, and in which lesson each use is shown."),
 	]
 
 
@@ -38,10 +39,10 @@ static func right_choice(model: MoreDimensionsModel) -> int:
 static func _on_sign(model: MoreDimensionsModel) -> String:
 	if not model.has_angle():
 		return LabText.translate("A zero vector has no direction: there is no angle.")
-	if model.has_four:
-		return LabText.translate("Its sign alone tells whether the angle is below or above 90°.")
+	if model.is_beyond_space():
+		return LabText.translate("Its sign tells whether the angle is below, at or above 90°.")
 	return LabText.translate(
-		"Its sign alone tells the angle. Above 90°, the shadow p of a points against b."
+		"Its sign tells: below, at or above 90°. Above 90°, the shadow p of a points against b."
 	)
 
 
@@ -58,8 +59,8 @@ static func verdict(model: MoreDimensionsModel) -> String:
 
 ## The words below the picture or the bars that replace it, translated.
 static func hint(model: MoreDimensionsModel) -> String:
-	if model.has_four:
-		return LabText.translate("Four axes do not fit into a picture. The formula is the same.")
+	if model.is_beyond_space():
+		return LabText.translate("So many axes do not fit into a picture. The formula is the same.")
 	return LabText.translate("Drag beside the arrows to turn the axes.")
 
 

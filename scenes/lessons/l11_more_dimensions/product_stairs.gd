@@ -48,11 +48,11 @@ func _draw() -> void:
 	draw_style_box(get_theme_stylebox(&"panel", &"PanelCard"), Rect2(Vector2.ZERO, size))
 	_write(_title(), Vector2(size.x / 2.0, 22.0), Palette.Role.QUIET)
 	var axis := _pixel(0.0)
-	draw_line(Vector2(12.0, axis), Vector2(size.x - 12.0, axis), Palette.AXIS, 1.5)
+	draw_line(Vector2(12.0, axis), Vector2(size.x - 12.0, axis), Palette.drawn(Palette.AXIS), 1.5)
 	for i in products.size():
 		var from := _start_of(i)
 		_draw_stair(i, from, from + products[i], _role_of(products[i]), _text_of(products[i]))
-		_write_below(i, "xyzw"[i])
+		_write_below(i, ComponentLists.LETTERS[i])
 	if shows_sum:
 		var sum := _sum_of_first(products.size())
 		_draw_stair(products.size(), 0.0, sum, Palette.Role.INK, NumberText.short(sum))
@@ -94,7 +94,9 @@ func _draw_stair(index: int, from: float, to: float, role: Palette.Role, text: S
 	draw_rect(area, color, false, 2.0)
 	if shows_sum and index < products.size():
 		var next := Vector2(_middle_of(index + 1) - half, _pixel(to))
-		draw_dashed_line(Vector2(middle + half, _pixel(to)), next, Palette.AXIS, 1.5, 4.0)
+		draw_dashed_line(
+			Vector2(middle + half, _pixel(to)), next, Palette.drawn(Palette.AXIS), 1.5, 4.0
+		)
 	_write(text, Vector2(middle, top - 8.0), role)
 
 

@@ -28,6 +28,7 @@ var _reach := 1.0
 var _grip: Vec2
 
 @onready var _axes: Array[Arrow] = [%XAxis, %YAxis, %ZAxis]
+@onready var _ticks: AxisTicks = %Ticks
 @onready var _arrow_of_a: Arrow = %ArrowOfA
 @onready var _arrow_of_b: Arrow = %ArrowOfB
 @onready var _head_of_a: Handle = %HeadOfA
@@ -69,6 +70,7 @@ func show_model(model: MoreDimensionsModel, step: int) -> void:
 		var end: PackedFloat64Array = [0.0, 0.0, 0.0]
 		end[i] = _reach * 1.15
 		_axes[i].lay(Vec2.new(), view.seen_at(end[0], end[1], end[2]))
+	_ticks.show_view(view, _reach)
 	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
 	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)
 	_lay_shadow(model, step)
@@ -114,6 +116,11 @@ func _lay_arc(model: MoreDimensionsModel, step: int) -> void:
 			var length := maxf(ComponentLists.length(mixed), 1e-300)
 			var seen := model.view.seen_at(mixed[0] / length, mixed[1] / length, mixed[2] / length)
 			_arc.add_point(seen.to_vector2() * _ARC_PIXELS)
+
+
+## The view turns over in space, so that z turns with y: see [member Axonometry.is_y_up].
+func turn_over(_y_is_up: bool) -> void:
+	pass
 
 
 func _fit() -> void:

@@ -9,6 +9,7 @@ var _readout: Readout
 ## Writes into [param readout].
 func _init(readout: Readout) -> void:
 	_readout = readout
+	_readout.is_the_point = true
 	_readout.show_headings(["", tr("error"), tr("run time"), tr("× fastest")] as PackedStringArray)
 
 

@@ -6,14 +6,14 @@ extends RefCounted
 ## A name is looked up without its numbers: `240 steps a second` as `%s steps a second`.
 
 # Titles of the problems by their id: source text.
-const _TITLES: Dictionary[String, String] = {
-	"scalar_projection": "Scalar projection",
-	"ball_in_box": "One ball in a box",
-	"angled_lines": "Among angled lines",
-	"many_segments": "Many segments",
-	"dropped_ball": "A dropped ball",
-	"many_balls": "Many balls",
-	"digits_of_pi": "Digits of pi",
+const _TITLES: Dictionary[StringName, String] = {
+	&"scalar_projection": "Scalar projection",
+	&"ball_in_box": "One ball in a box",
+	&"angled_lines": "Among angled lines",
+	&"many_segments": "Many segments",
+	&"dropped_ball": "A dropped ball",
+	&"many_balls": "Many balls",
+	&"digits_of_pi": "Digits of pi",
 }
 
 # The axes of all problems: source text.
@@ -30,10 +30,10 @@ const _AXES: PackedStringArray = [
 ]
 
 # What the lesson calls a method whose name in tables is too short to be understood: source text.
-const _IN_FULL: Dictionary[String, String] = {
-	"event world, one call": "event world, one jump to the end",
-	"dot product": "dot product in GDScript, 64 bits",
-	"Vector2": "dot product of Vector2, 32 bits",
+const _IN_FULL: Dictionary[StringName, String] = {
+	&"event world, one call": "event world, one jump to the end",
+	&"dot product": "dot product in GDScript, 64 bits",
+	&"Vector2": "dot product of Vector2, 32 bits",
 }
 
 # Situations, methods and what they are set to: source text.
@@ -79,6 +79,15 @@ const _NOTES: PackedStringArray = [
 	"the ball has left the box",
 	"%s px off after %s bounces, %s s",
 	"after %s bounces",
+	"never %s px off in %s bounces, %s s",
+	"never %s px off in %s bounce, %s s",
+	"%s px off after %s bounce, %s s",
+	"energy off by %s of itself",
+	"reversed, never %s px off its own way in all of %s s",
+	"reversed, %s px off its own way after %s s of %s s",
+	"%s collisions a second",
+	"no finite answer for %s of %s pairs",
+	"not flown to the end yet",
 	"height %s px, energy %s of the start's",
 	"height -%s px, energy -%s of the start's",
 	"blown up: more than %s times the energy of the start",
@@ -91,7 +100,7 @@ const _NUMBER := "(?<![\\w.])\\d+(?:[.,]\\d+)*(?:e-?\\d+)?"
 
 ## The title of the problem with this id; the id itself for one that has none here.
 static func title(id: String) -> String:
-	var known: String = _TITLES.get(id, id)
+	var known: String = _TITLES.get(StringName(id), id)
 	return TranslationServer.translate(known)
 
 
@@ -105,8 +114,13 @@ static func all_of(names: PackedStringArray) -> PackedStringArray:
 	return Array(names).map(of)
 
 
-## A name in the reader's language, with its numbers.
+## A name in the reader's language, with its numbers. What lies between semicolons is looked up
+## alone.
 static func of(name_in_table: String) -> String:
+	return "; ".join(Array(name_in_table.split("; ")).map(_part_of))
+
+
+static func _part_of(name_in_table: String) -> String:
 	var numbers: Array[String] = []
 	for hit in RegEx.create_from_string(_NUMBER).search_all(_in_full(name_in_table)):
 		numbers.append(hit.get_string())
@@ -121,4 +135,4 @@ static func pattern(name_in_table: String) -> String:
 
 
 static func _in_full(name_in_table: String) -> String:
-	return _IN_FULL.get(name_in_table, name_in_table)
+	return _IN_FULL.get(StringName(name_in_table), name_in_table)

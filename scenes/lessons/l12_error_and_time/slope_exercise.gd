@@ -9,6 +9,8 @@ enum Kind { ORDER, COST, FRONTIER }
 ## The points of the question: run time in µs and error in px of the first one, then of the next.
 var points: PackedFloat64Array = []
 
+var _solution := ""
+
 
 ## A question with numbers drawn from [param rng].
 static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SlopeExercise:
@@ -21,6 +23,10 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> SlopeExercise:
 		Kind.FRONTIER:
 			exercise._ask_frontier(rng)
 	return exercise
+
+
+func solution() -> String:
+	return _solution
 
 
 func _ask_order(rng: RandomNumberGenerator) -> void:
@@ -39,6 +45,10 @@ func _ask_order(rng: RandomNumberGenerator) -> void:
 	)
 	answer_titles = ["p ="]
 	right_answer = [order]
+	_solution = (
+		tr("%s times the run time leaves 1/%s of the error: p = log %s / log %s = %s.")
+		% _texts([slower, slower ** order, slower ** order, slower, order])
+	)
 	add_mistake(
 		[slower ** order],
 		tr("That is the ratio of the errors. It is the ratio of the run times to the power p.")
@@ -46,8 +56,7 @@ func _ask_order(rng: RandomNumberGenerator) -> void:
 	add_mistake([-order], tr("The error falls while the run time grows: that is a positive order."))
 	if order > 1:
 		var sentence := tr("Upside down: it is log of the errors over log of the run times.")
-		add_mistake([1.0 / order], sentence)
-		add_mistake([-1.0 / order], sentence)
+		add_mistake_of_either_sign([1.0 / order], sentence)
 
 
 func _ask_cost(rng: RandomNumberGenerator) -> void:
@@ -65,6 +74,10 @@ func _ask_cost(rng: RandomNumberGenerator) -> void:
 	answer_titles = ["t ="]
 	right_answer = [time * (closer if order == 1 else root)]
 	points = [time, 1.0, right_answer[0], 1.0 / closer]
+	_solution = (
+		tr("Order %s: 1/%s of the error takes %s times the run time, %s µs.")
+		% _texts([order, closer, right_answer[0] / time, right_answer[0]])
+	)
 	if order == 1:
 		add_mistake(
 			[time * root], tr("That is order 2: with order 1 twice the time halves the error.")
@@ -93,6 +106,11 @@ func _ask_frontier(rng: RandomNumberGenerator) -> void:
 	)
 	answer_titles = ["n ="]
 	right_answer = [3.0 if has_three else 2.0]
+	_solution = (
+		tr("3: A, B and D. C is slower than B and has a larger error.")
+		if has_three
+		else tr("2: A and D. B and C are slower than A and have larger errors.")
+	)
 	if has_three:
 		add_mistake([2.0], tr("B, too: nobody is both faster and closer than B."))
 	else:
@@ -100,7 +118,7 @@ func _ask_frontier(rng: RandomNumberGenerator) -> void:
 	add_mistake([4.0], tr("C is not on it: another one is both faster and closer."))
 	add_mistake(
 		[1.0],
-		tr("Each one that no other beats in both counts: at least the fastest and the closest.")
+		tr("It holds every method for which none is both faster and closer: more than one here.")
 	)
 
 

@@ -36,7 +36,7 @@ func _draw() -> void:
 	var middle := size / 2.0
 	match outcome:
 		Outcome.WAITING:
-			draw_circle(middle, _RADIUS - 4.0, Palette.BORDER, false, 2.0, true)
+			draw_circle(middle, _RADIUS - 4.0, Palette.drawn(Palette.BORDER), false, 2.0, true)
 		Outcome.PASSED:
 			draw_circle(middle, _RADIUS, Palette.color(Palette.Role.RIGHT), true, -1.0, true)
 			_draw_stroke(middle, Vector2(-7.0, 0.0), Vector2(-2.0, 6.0))
@@ -47,8 +47,8 @@ func _draw() -> void:
 			_draw_stroke(middle, Vector2(-6.0, 6.0), Vector2(6.0, -6.0))
 		Outcome.LEFT_OUT:
 			var half := Vector2(8.0, 0.0)
-			draw_line(middle - half, middle + half, Palette.BORDER, 3.0)
+			draw_line(middle - half, middle + half, Palette.drawn(Palette.BORDER), 3.0)
 
 
 func _draw_stroke(middle: Vector2, from: Vector2, to: Vector2) -> void:
-	draw_line(middle + from, middle + to, Palette.PAPER, 3.5, true)
+	draw_line(middle + from, middle + to, Palette.drawn(Palette.PAPER), 3.5, true)

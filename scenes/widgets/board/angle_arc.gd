@@ -1,7 +1,11 @@
 @tool
 class_name AngleArc
 extends BoardPart
-## The angle between two directions: an arc with its size in degrees, a square where it is right.
+## The angle between two directions: an arc with its size, a square where it is right.
+
+# Pixels.
+const _WIDTH := 2.0
+const _FONT_SIZE := 17
 
 ## Where its corner is, in units of the plane.
 @export var corner := Vector2.ZERO:
@@ -10,14 +14,14 @@ extends BoardPart
 	set(value):
 		_corner = Vec2.from_vector2(value)
 		show_change()
-## The direction from which it is measured, in degrees, clockwise on screen.
+## The direction from which it is measured, in degrees, from the x axis to the y axis.
 @export_range(-180.0, 180.0, 0.001, "suffix:°") var start_degrees := 0.0:
 	get:
 		return Vec2.rad_to_deg(_start)
 	set(value):
 		_start = Vec2.deg_to_rad(value)
 		show_change()
-## Its size in degrees; positive is clockwise on screen.
+## Its size in degrees; positive is from the x axis to the y axis.
 @export_range(-180.0, 180.0, 0.001, "suffix:°") var sweep_degrees := 0.0:
 	get:
 		return Vec2.rad_to_deg(_sweep)
@@ -30,8 +34,12 @@ extends BoardPart
 @export var shows_value := true
 ## The text before the size, such as `α = `.
 @export var label := ""
-## Writes the size with its sign: positive where the second direction is clockwise of the first.
+## It is the angle of a vector: its size has a sign, positive from the x axis to the y axis, or is
+## drawn and written from 0 to 360 degrees where that is chosen.
 @export var is_signed := false
+## Writes the size beyond the second direction, so far as degrees say, and not between both: there
+## may be the numbers of an axis.
+@export_range(0.0, 45.0, 1.0, "suffix:°") var beyond_degrees := 0.0
 ## An angle this close to 90 degrees counts as right.
 @export_range(0.0, 1.0, 0.001, "suffix:deg") var right_within := 1e-9
 
@@ -53,27 +61,35 @@ func measure(at: Vec2, first: Vec2, second: Vec2) -> void:
 func _draw() -> void:
 	var middle := board.to_screen(_corner)
 	var start := _start * board.y_sign()
-	var sweep := _sweep * board.y_sign()
+	var degrees := Conventions.in_range(sweep_degrees) if is_signed else sweep_degrees
+	var sweep := Vec2.deg_to_rad(degrees) * board.y_sign()
 	var ink := Palette.color(Palette.Role.INK)
-	if absf(absf(Vec2.rad_to_deg(_sweep)) - 90.0) <= right_within:
+	if absf(absf(degrees) - 90.0) <= right_within:
 		_draw_square(middle, start, sweep, ink)
 	else:
-		draw_arc(middle, radius, start, start + sweep, 48, ink, 2.0, true)
+		draw_arc(middle, radius, start, start + sweep, 48, ink, Palette.stroke(_WIDTH), true)
 	if shows_value:
-		_draw_value(middle, Vector2.from_angle(start + sweep / 2.0), ink)
+		_draw_value(degrees, middle, Vector2.from_angle(start + _value_share(sweep)), ink)
 
 
-# Beside the arc, so far outside that a long text does not cross it.
-func _draw_value(middle: Vector2, outwards: Vector2, ink: Color) -> void:
-	var text := _value_text()
-	var extent := ThemeDB.fallback_font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, 17)
+# The direction in which the size stands, counted from the first one.
+func _value_share(sweep: float) -> float:
+	if not beyond_degrees:
+		return sweep / 2.0
+	return sweep + Vec2.deg_to_rad(beyond_degrees) * (signf(sweep) if sweep else -1.0)
+
+
+# Beside the arc, so far outside that a long text does not cross it, but still on the board.
+func _draw_value(degrees: float, middle: Vector2, outwards: Vector2, ink: Color) -> void:
+	var text := label + Conventions.mark_text(degrees if is_signed else absf(degrees), 3)
+	var font := ThemeDB.fallback_font
+	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
 	var half := absf(outwards.x) * extent.x / 2.0 + absf(outwards.y) * extent.y / 2.0
-	draw_text(text, middle + outwards * (radius + maxf(26.0, half + 8.0)), ink, 17)
-
-
-func _value_text() -> String:
-	var degrees := Vec2.rad_to_deg(_sweep)
-	return label + NumberText.short(degrees if is_signed else absf(degrees), 3) + "°"
+	var at := middle + outwards * (radius + maxf(26.0, half + 8.0))
+	var room := board.free_area().grow_individual(
+		-extent.x / 2.0, -extent.y / 2.0, -extent.x / 2.0, -extent.y / 2.0
+	)
+	draw_text(text, at.clamp(room.position, room.end), ink, _FONT_SIZE)
 
 
 func _draw_square(middle: Vector2, start: float, sweep: float, ink: Color) -> void:
@@ -81,4 +97,4 @@ func _draw_square(middle: Vector2, start: float, sweep: float, ink: Color) -> vo
 	var along := Vector2.from_angle(start) * side
 	var across := Vector2.from_angle(start + sweep) * side
 	var points := PackedVector2Array([middle + along, middle + along + across, middle + across])
-	draw_polyline(points, ink, 2.0, true)
+	draw_polyline(points, ink, Palette.stroke(_WIDTH), true)

@@ -21,7 +21,8 @@ const SHORTEST := 2.0
 		return _head.to_vector2()
 	set(value):
 		lay(_tail, Vec2.from_vector2(value))
-## The label beside the arrow, such as `a`; nothing where it is empty.
+## The label beside the arrow, such as `a`; nothing where it is empty. A name in code is not
+## translated: its arrow has the auto translate mode Disabled.
 @export var label := "":
 	set(value):
 		label = value
@@ -72,6 +73,11 @@ func keep_label_from(point: Vec2) -> void:
 	queue_redraw()
 
 
+## Where the middle of its label is, in the board's pixels.
+func label_pixel() -> Vector2:
+	return _label_middle(board.to_screen(_tail), board.to_screen(_head))
+
+
 func _draw() -> void:
 	var from := board.to_screen(_tail)
 	var to := board.to_screen(_head)
@@ -84,17 +90,18 @@ func _draw() -> void:
 	else:
 		_draw_shaft(from, to, color)
 	if label:
-		draw_text(tr(label), _label_middle(from, to), color, 24)
+		draw_text(atr(label), _label_middle(from, to), color, 24)
 
 
 func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 	var direction := from.direction_to(to)
-	var tip_length := minf(3.6 * width, from.distance_to(to)) if has_tip else 0.0
+	var stroke := Palette.stroke(width)
+	var tip_length := minf(3.6 * stroke, from.distance_to(to)) if has_tip else 0.0
 	var neck := to - direction * tip_length
 	if dashed:
 		draw_strokes(from, neck, color, width)
 	else:
-		draw_line(from, neck + direction, color, width, true)
+		draw_line(from, neck + direction, color, stroke, true)
 	if has_tip:
 		var side := direction.orthogonal() * tip_length * 0.45
 		# Not as a polygon: far outside the board the engine cannot triangulate one.
@@ -105,7 +112,7 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
 	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
+	var extent := font.get_string_size(atr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
 	var reach := 15.0 + extent.x / 2.0
 	var middle := to + direction * (reach + 6.0)
 	if not has_tip:

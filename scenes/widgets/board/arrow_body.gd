@@ -26,7 +26,7 @@ func _draw() -> void:
 		return
 	var shaft := _shaft()
 	if has_focus():
-		draw_line(shaft[0], shaft[1], Color(Palette.FOCUS, 0.35), 16.0)
+		draw_line(shaft[0], shaft[1], Color(Palette.drawn(Palette.FOCUS), 0.35), 16.0)
 	elif _is_hovered or _is_dragged:
 		draw_line(shaft[0], shaft[1], Color(Palette.color(role), 0.15), 16.0)
 

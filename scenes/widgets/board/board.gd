@@ -19,10 +19,17 @@ signal released
 const HANDLES := &"handles"
 ## A step of the grid is never narrower on screen than this, in pixels.
 const NARROWEST_STEP := 24.0
+## On a board with a side below this, in pixels, steps may be narrower: handles go on snapping to
+## whole units there.
+const SMALL := 480.0
+const NARROWEST_STEP_ON_SMALL := 12.0
 ## Nor does [method fit] make it wider than this, in pixels, unless a lesson says so.
 const WIDEST_STEP := 40.0
 ## Grid steps are these times a power of ten.
 const STEP_FACTORS: Array[float] = [1.0, 2.0, 5.0]
+
+# The margin takes at most this share of a small board.
+const _WIDEST_MARGIN := 0.12
 
 ## The widest step of the grid; more where a lesson draws short vectors.
 @export_range(24.0, 200.0, 1.0, "suffix:px") var widest_step := WIDEST_STEP
@@ -52,6 +59,10 @@ var is_y_up := false:
 			view_changed.emit()
 
 var _middle := Vec2.new()
+# The strips at the upper and the lower edge that cards cover.
+var _covered := Vector2.ZERO
+# What the view was fitted to.
+var _fitted: Array[Vec2] = []
 # What the parts of the board span: the editor's view is fitted to it.
 var _spanned: Array[Vec2] = []
 var _pressed_button := MOUSE_BUTTON_NONE
@@ -70,7 +81,7 @@ func _ready() -> void:
 
 func _draw() -> void:
 	if has_paper:
-		draw_rect(Rect2(Vector2.ZERO, size), Palette.PAPER)
+		draw_rect(Rect2(Vector2.ZERO, size), Palette.drawn(Palette.PAPER))
 
 
 ## Where [param point] of the plane is on the board, in the board's own pixels. Points far outside
@@ -82,16 +93,26 @@ func to_screen(point: Vec2) -> Vector2:
 		return Vector2(limit, limit)
 	from_middle.limit_length(limit)
 	from_middle.y *= y_sign()
-	return from_middle.to_vector2() + size / 2.0
+	return from_middle.to_vector2() + _middle_pixel()
 
 
 ## Which point of the plane is at [param pixel] of the board.
 func to_plane(pixel: Vector2) -> Vec2:
-	var point := Vec2.from_vector2(pixel - size / 2.0)
+	var point := Vec2.from_vector2(pixel - _middle_pixel())
 	point.scale(1.0 / pixels_per_unit)
 	point.y *= y_sign()
 	point.add(_middle)
 	return point
+
+
+## How [param direction] of the plane lies on the screen, with its length.
+func direction_to_screen(direction: Vec2) -> Vector2:
+	return Vector2(direction.x, direction.y * y_sign())
+
+
+## Turns the picture over, or back: [member is_y_up] as the student has chosen.
+func turn_over(y_is_up: bool) -> void:
+	is_y_up = y_is_up
 
 
 ## 1 where y points down the screen, -1 where it points up. Angles of the plane are seen on the
@@ -115,18 +136,36 @@ func snapped_to_step(point: Vec2) -> Vec2:
 ## stays in the middle. The step is below 1 only if all points are within 1 of the origin, so that
 ## handles snap to whole units.
 func fit(points: Array[Vec2]) -> void:
+	_fitted = points
 	var reach_x := 0.0
 	var reach_y := 0.0
 	for point in points:
 		reach_x = maxf(reach_x, absf(point.x))
 		reach_y = maxf(reach_y, absf(point.y))
-	var room := (size / 2.0 - Vector2(margin, margin)).max(Vector2(40.0, 40.0))
+	var half := (size - Vector2(0.0, _covered.x + _covered.y)) / 2.0
+	var edge := minf(margin, minf(size.x, size.y) * _WIDEST_MARGIN) if is_small() else margin
+	var room := (half - Vector2(edge, edge)).max(Vector2(40.0, 40.0).min(half * 0.8))
+	var narrowest_step := NARROWEST_STEP_ON_SMALL if is_small() else NARROWEST_STEP
 	var narrowest_unit := minf(room.x / maxf(reach_x, 1e-300), room.y / maxf(reach_y, 1e-300))
 	var is_tiny := maxf(reach_x, reach_y) < 1.0 and maxf(reach_x, reach_y) > 0.0
-	grid_step = maxf(_next_step(NARROWEST_STEP / narrowest_unit), 0.0 if is_tiny else 1.0)
+	grid_step = maxf(_next_step(narrowest_step / narrowest_unit), 0.0 if is_tiny else 1.0)
 	pixels_per_unit = minf(widest_step / grid_step, narrowest_unit)
 	queue_redraw()
 	view_changed.emit()
+
+
+## Whether there is so little room that steps of the grid may be narrower, and that cards lie in the
+## panel.
+func is_small() -> bool:
+	return minf(size.x, size.y) < SMALL
+
+
+## Leaves strips of so many pixels free at the upper and the lower edge, which cards cover: the
+## middle of the view is between them.
+func keep_free(above: float, below: float) -> void:
+	if _covered != Vector2(above, below):
+		_covered = Vector2(above, below)
+		fit(_fitted)
 
 
 ## Fits the view of the editor to [param points] as well: there no lesson runs that would call
@@ -150,6 +189,16 @@ func handles() -> Array[Control]:
 ## Of these the ones that take the focus, in the order in which the Tab key reaches them.
 func focusable_handles() -> Array[Control]:
 	return handles().filter(func(handle: Control) -> bool: return handle.focus_mode != FOCUS_NONE)
+
+
+## The part of the board that no strip of [method keep_free] covers, in pixels.
+func free_area() -> Rect2:
+	return Rect2(0.0, _covered.x, size.x, size.y - _covered.x - _covered.y)
+
+
+# Where the middle of the view is.
+func _middle_pixel() -> Vector2:
+	return free_area().get_center()
 
 
 # After a click the board keeps the focus. Tab and gamepad go on to the first handle, or backwards

@@ -37,14 +37,15 @@ func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20)
 	var font := ThemeDB.fallback_font
 	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
 	var start := middle + Vector2(-extent.x / 2.0, font_size * 0.36)
-	var rim := Palette.PAPER
+	var rim := Palette.drawn(Palette.PAPER)
 	draw_string_outline(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, 8, rim)
 	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, color)
 
 
-## A line of short strokes from [param from] to [param to], in the board's pixels.
+## A line of short strokes from [param from] to [param to], in the board's pixels, as thick as lines
+## of [param width] are drawn now.
 func draw_strokes(from: Vector2, to: Vector2, color: Color, width: float) -> void:
-	draw_dashed_line(from, to, color, width, 9.0, true, true)
+	draw_dashed_line(from, to, color, Palette.stroke(width), 9.0, true, true)
 
 
 # A scene of parts that is opened or run alone has no board: they are drawn around the origin.

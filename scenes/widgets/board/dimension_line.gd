@@ -30,6 +30,8 @@ const _FONT_SIZE := 20
 		show_change()
 ## The label beside it, such as `a = 40`, as it is to be read.
 @export var label := ""
+## Where the label is on the way from the first point to the last.
+@export_range(0.0, 1.0, 0.05) var label_share := 0.5
 ## Its color, here and in formulas.
 @export var role := Palette.Role.INK
 ## How far beside the two points it is drawn.
@@ -61,20 +63,26 @@ func label_room() -> float:
 	return absf(_side.x) * extent.x + absf(_side.y) * _FONT_SIZE + 16.0
 
 
+## Where the middle of its label is about to be, in the board's pixels.
+func label_pixel() -> Vector2:
+	var beside := board.direction_to_screen(_side) * (offset + label_room() / 2.0)
+	return board.to_screen(_from.lerped(_to, label_share)) + beside
+
+
 func _draw() -> void:
 	var color := Palette.color(role)
-	var beside := _side.to_vector2()
+	var beside := board.direction_to_screen(_side)
 	var first := board.to_screen(_from) + beside * offset
 	var last := board.to_screen(_to) + beside * offset
 	if offset > 0.0:
 		var faint := Color(color, 0.45)
 		draw_line(board.to_screen(_from), first + beside * 6.0, faint, 1.5, true)
 		draw_line(board.to_screen(_to), last + beside * 6.0, faint, 1.5, true)
-	draw_line(first, last, color, 2.5, true)
+	draw_line(first, last, color, Palette.stroke(2.5), true)
 	_draw_tip(first, last, color)
 	_draw_tip(last, first, color)
 	if label:
-		_draw_label(_middle_of_visible_part(first, last), beside, color)
+		_draw_label(_in_visible_part(first, last), beside, color)
 
 
 func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
@@ -98,8 +106,8 @@ func _draw_label(middle: Vector2, beside: Vector2, color: Color) -> void:
 	draw_text(label, (middle + beside * reach).clamp(room.position, room.end), color, _FONT_SIZE)
 
 
-# The middle of what the board shows of the line between two points in its own pixels.
-func _middle_of_visible_part(first: Vector2, last: Vector2) -> Vector2:
+# The place of the label in what the board shows of the line between two points in its own pixels.
+func _in_visible_part(first: Vector2, last: Vector2) -> Vector2:
 	var low := 0.0
 	var high := 1.0
 	var way := last - first
@@ -109,4 +117,4 @@ func _middle_of_visible_part(first: Vector2, last: Vector2) -> Vector2:
 			var at_end := (board.size[axis] - first[axis]) / way[axis]
 			low = maxf(low, minf(at_start, at_end))
 			high = minf(high, maxf(at_start, at_end))
-	return first + way * (low + high) / 2.0
+	return first + way * lerpf(low, high, label_share)

@@ -102,4 +102,4 @@ func _color_parts() -> void:
 
 
 func _name(handle: Handle, title: String) -> void:
-	handle.title = (title % tr(label)).strip_edges()
+	handle.title = (title % atr(label)).strip_edges()

@@ -8,7 +8,7 @@ var axes := true
 
 
 func _draw() -> void:
-	draw_rect(Rect2(Vector2.ZERO, board.size), Palette.PAPER)
+	draw_rect(Rect2(Vector2.ZERO, board.size), Palette.drawn(Palette.PAPER))
 	_draw_lines()
 	if axes:
 		_draw_axes()
@@ -17,16 +17,16 @@ func _draw() -> void:
 func _draw_lines() -> void:
 	var origin := board.to_screen(Vec2.new())
 	for x in _line_positions(origin.x, board.size.x):
-		draw_line(Vector2(x, 0.0), Vector2(x, board.size.y), Palette.GRID, 1.0)
+		draw_line(Vector2(x, 0.0), Vector2(x, board.size.y), Palette.drawn(Palette.GRID), 1.0)
 	for y in _line_positions(origin.y, board.size.y):
-		draw_line(Vector2(0.0, y), Vector2(board.size.x, y), Palette.GRID, 1.0)
+		draw_line(Vector2(0.0, y), Vector2(board.size.x, y), Palette.drawn(Palette.GRID), 1.0)
 
 
 func _draw_axes() -> void:
 	var origin := board.to_screen(Vec2.new())
 	var extent := board.size
-	draw_line(Vector2(0.0, origin.y), Vector2(extent.x, origin.y), Palette.AXIS, 1.5)
-	draw_line(Vector2(origin.x, 0.0), Vector2(origin.x, extent.y), Palette.AXIS, 1.5)
+	draw_line(Vector2(0.0, origin.y), Vector2(extent.x, origin.y), Palette.drawn(Palette.AXIS), 1.5)
+	draw_line(Vector2(origin.x, 0.0), Vector2(origin.x, extent.y), Palette.drawn(Palette.AXIS), 1.5)
 	_draw_tip(Vector2(extent.x - 2.0, origin.y), Vector2.RIGHT)
 	_draw_tip(Vector2(origin.x, _y_end(2.0)), Vector2.DOWN * board.y_sign())
 	var quiet := Palette.color(Palette.Role.QUIET)
@@ -54,7 +54,9 @@ func _draw_numbers(origin: Vector2) -> void:
 func _draw_tip(at: Vector2, direction: Vector2) -> void:
 	var side := direction.orthogonal() * 5.0
 	var back := at - direction * 11.0
-	draw_colored_polygon(PackedVector2Array([at, back + side, back - side]), Palette.AXIS)
+	draw_colored_polygon(
+		PackedVector2Array([at, back + side, back - side]), Palette.drawn(Palette.AXIS)
+	)
 
 
 # A place this many pixels before the end of the y axis towards which y grows.

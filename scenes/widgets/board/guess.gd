@@ -66,9 +66,9 @@ func _draw() -> void:
 		var end := _board.to_screen(_truth) - position
 		draw_dashed_line(middle, end, color, 2.0, 7.0, true, true)
 		draw_circle(end, 4.0, color, true, -1.0, true)
-	draw_circle(middle, dot_radius, Color(Palette.PAPER, 0.8), true, -1.0, true)
+	draw_circle(middle, dot_radius, Color(Palette.drawn(Palette.PAPER), 0.8), true, -1.0, true)
 	if has_focus():
-		draw_arc(middle, dot_radius + 8.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
+		draw_arc(middle, dot_radius + 8.0, 0.0, TAU, 32, Palette.drawn(Palette.FOCUS), 3.0, true)
 	elif _is_hovered or _is_dragged:
 		draw_circle(middle, dot_radius + 8.0, Color(color, 0.2), true, -1.0, true)
 	for i in _DASHES:

@@ -109,10 +109,10 @@ func _draw() -> void:
 		middle = _middle_in_editor()
 	var color := Palette.color(role)
 	if has_focus():
-		draw_arc(middle, dot_radius + 9.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
+		draw_arc(middle, dot_radius + 9.0, 0.0, TAU, 32, Palette.drawn(Palette.FOCUS), 3.0, true)
 	elif _is_hovered or _is_dragged:
 		draw_circle(middle, dot_radius + 9.0, Color(color, 0.2), true, -1.0, true)
-	var dot := DotTexture.of(Palette.PAPER, color, dot_radius)
+	var dot := DotTexture.of(Palette.drawn(Palette.PAPER), color, dot_radius)
 	draw_texture(dot, middle - dot.get_size() / 2.0)
 
 

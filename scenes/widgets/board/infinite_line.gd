@@ -39,5 +39,5 @@ func _draw() -> void:
 	var middle := board.to_plane(board.size / 2.0)
 	var along := middle.minus(_point).vector_projection(_direction)
 	var nearest := board.to_screen(_point.plus(along))
-	var reach := _direction.to_vector2() * board.size.length()
+	var reach := board.direction_to_screen(_direction) * board.size.length()
 	draw_strokes(nearest - reach, nearest + reach, Palette.color(role), width)

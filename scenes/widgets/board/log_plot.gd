@@ -16,6 +16,8 @@ const _FOOT := 52.0
 const _FONT_SIZE := 16
 # Pixels from a point to its card.
 const _BESIDE := 16.0
+# Pixels from the card to the edge of the field, at least.
+const _GAP := 4.0
 # The same for the places that are tried next, if the nearest ones hide other points.
 const _FURTHER := 90.0
 # Longer lines of the card are wrapped, in pixels.
@@ -40,6 +42,9 @@ var _names: PackedStringArray = []
 var _hollow: Array[bool] = []
 var _chosen := -1
 
+## Which mark means what: above the field, or where a lesson puts it.
+@onready var legend: Control = %Legend
+
 # Drawn apart, and the card too: both are hidden with all answers.
 @onready var _frontier_lines: Control = %Frontier
 @onready var _card: PanelContainer = %Card
@@ -49,6 +54,8 @@ var _chosen := -1
 func _ready() -> void:
 	resized.connect(_lay)
 	draw.connect(_frontier_lines.queue_redraw)
+	legend.draw.connect(func() -> void: _legend.draw(legend))
+	legend.resized.connect(_lay)
 	_frontier_lines.draw.connect(_draw_frontier)
 	focus_entered.connect(queue_redraw)
 	focus_exited.connect(queue_redraw)
@@ -103,7 +110,11 @@ func _name_plot() -> void:
 func _lay() -> void:
 	var line_name := tr("frontier: none is faster and closer") if _frontier else ""
 	_legend.name_series(_names, _hollow, line_name)
-	var top := _legend.height(size.x - 2.0 * _MARGIN) + 2.0 * _MARGIN + 24.0
+	legend.custom_minimum_size.y = _legend.height(legend.size.x)
+	legend.queue_redraw()
+	var top := _MARGIN + 24.0
+	if legend.get_parent() == self:
+		top += legend.custom_minimum_size.y + _MARGIN
 	var corner := Vector2(_MARGIN_LEFT, top)
 	_area.field = Rect2(corner, size - corner - Vector2(2.0 * _MARGIN, _FOOT))
 	_show_card()
@@ -111,23 +122,33 @@ func _lay() -> void:
 
 
 func _draw() -> void:
-	_legend.draw(self, Vector2(_MARGIN, _MARGIN), size.x - 2.0 * _MARGIN)
 	_area.draw(self)
 	_draw_titles()
 	_draw_series()
 	for i in _points.size():
 		PlotMark.draw(self, _points[i].series, pixel_of(i), _hollow[_points[i].series])
 	if _chosen >= 0:
-		draw_arc(pixel_of(_chosen), PlotMark.RADIUS + 6.0, 0.0, TAU, 32, Palette.FOCUS, 3.0, true)
+		draw_arc(
+			pixel_of(_chosen),
+			PlotMark.RADIUS + 6.0,
+			0.0,
+			TAU,
+			32,
+			Palette.drawn(Palette.FOCUS),
+			3.0,
+			true
+		)
 	if has_focus():
-		draw_rect(Rect2(Vector2.ZERO, size).grow(-2.0), Palette.FOCUS, false, 3.0)
+		draw_rect(Rect2(Vector2.ZERO, size).grow(-2.0), Palette.drawn(Palette.FOCUS), false, 3.0)
 
 
 func _draw_titles() -> void:
 	var field := _area.field
 	_write(tr(y_title) + "  ↓ " + tr("closer"), Vector2(_MARGIN, field.position.y - 14.0), 0.0)
 	var right := Vector2(field.end.x, size.y - 10.0)
-	_write("← " + tr("faster") + "   " + tr(x_title), right, 1.0)
+	var title := "← " + tr("faster") + "   " + tr(x_title)
+	# A phone has no room for the direction.
+	_write(title if _width(title) < right.x - _GAP else tr(x_title), right, 1.0)
 
 
 # A thin line joins the settings of each method: its slope shows what a smaller step gains.
@@ -206,7 +227,8 @@ func _show_card() -> void:
 	if _chosen < 0:
 		return
 	_words.text = "\n".join(_points[_chosen].words)
-	_words.custom_minimum_size.x = minf(_width_of_longest(_points[_chosen].words), _WIDEST)
+	var widest := minf(_WIDEST, _area.field.size.x - 4.0 * _MARGIN)
+	_words.custom_minimum_size.x = minf(_width_of_longest(_points[_chosen].words), widest)
 	_place_card()
 
 
@@ -228,11 +250,11 @@ func _width_of_longest(lines: PackedStringArray) -> float:
 
 
 # The card is put above or below the point, to its right or left, near or further away: where it
-# hides the fewest other points.
+# hides the fewest other points, and over no number of the axes.
 func _place_beside(at: Vector2, extent: Vector2) -> Vector2:
 	var best := Vector2.ZERO
 	var fewest := _points.size() + 1
-	var room := Rect2(_area.field.position, size - _area.field.position - extent)
+	var room := Rect2(_area.field.position, _area.field.size - extent).grow(-_GAP)
 	for across: float in [_BESIDE, -_BESIDE - extent.x]:
 		for down: float in [-_BESIDE - extent.y, _BESIDE, -_FURTHER - extent.y, _FURTHER]:
 			var place := (at + Vector2(across, down)).clamp(
@@ -254,8 +276,13 @@ func _count_inside(place: Rect2) -> int:
 
 
 func _write(text: String, at: Vector2, right: float) -> void:
-	var font := ThemeDB.fallback_font
-	var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
 	var color := Palette.color(Palette.Role.INK)
-	var start := at - Vector2(width * right, 0.0)
-	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color)
+	var start := at - Vector2(_width(text) * right, 0.0)
+	draw_string(
+		ThemeDB.fallback_font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, color
+	)
+
+
+static func _width(text: String) -> float:
+	var font := ThemeDB.fallback_font
+	return font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x

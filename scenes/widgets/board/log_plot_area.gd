@@ -38,24 +38,34 @@ func draw(canvas: Control) -> void:
 	var scaled := _scaled_field()
 	for exponent in _x.ticks(floori(scaled.size.x / _BETWEEN_X)):
 		var x := _x_pixel(10.0 ** exponent)
-		_draw_line(canvas, Vector2(x, field.position.y), Vector2(x, field.end.y), Palette.GRID)
+		_draw_line(
+			canvas,
+			Vector2(x, field.position.y),
+			Vector2(x, field.end.y),
+			Palette.drawn(Palette.GRID)
+		)
 		_write(canvas, NumberText.short(10.0 ** exponent), Vector2(x, field.end.y + 14.0), 0.5)
 	for exponent in _y.ticks(floori(scaled.size.y / _BETWEEN_Y)):
 		var y := _y_pixel(10.0 ** exponent)
-		_draw_line(canvas, Vector2(field.position.x, y), Vector2(field.end.x, y), Palette.GRID)
+		_draw_line(
+			canvas,
+			Vector2(field.position.x, y),
+			Vector2(field.end.x, y),
+			Palette.drawn(Palette.GRID)
+		)
 		_write(canvas, NumberText.short(10.0 ** exponent), Vector2(field.position.x - 8.0, y), 1.0)
 	_draw_strips(canvas, scaled)
-	canvas.draw_rect(field, Palette.AXIS, false, 1.5)
+	canvas.draw_rect(field, Palette.drawn(Palette.AXIS), false, 1.5)
 
 
 func _draw_strips(canvas: Control, scaled: Rect2) -> void:
 	var left := Vector2(field.position.x, scaled.end.y)
 	if _y.has_zero:
-		_draw_line(canvas, left, Vector2(field.end.x, left.y), Palette.AXIS)
+		_draw_line(canvas, left, Vector2(field.end.x, left.y), Palette.drawn(Palette.AXIS))
 		_write(canvas, "0", Vector2(left.x - 8.0, _y_pixel(0.0)), 1.0)
 	if _y.has_no_answer:
 		left.y = scaled.position.y
-		_draw_line(canvas, left, Vector2(field.end.x, left.y), Palette.AXIS)
+		_draw_line(canvas, left, Vector2(field.end.x, left.y), Palette.drawn(Palette.AXIS))
 		_write(canvas, canvas.tr("no answer"), Vector2(left.x - 8.0, _y_pixel(INF)), 1.0)
 
 

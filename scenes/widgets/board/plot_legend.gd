@@ -28,15 +28,15 @@ func height(width: float) -> float:
 	return 0.0 if _names.is_empty() else _places(width)[-1].y + _ROW
 
 
-## Draws the legend with its upper left corner at [param corner].
-func draw(canvas: Control, corner: Vector2, width: float) -> void:
-	var places := _places(width)
+## Draws the legend on all of [param canvas].
+func draw(canvas: Control) -> void:
+	var places := _places(canvas.size.x)
 	for i in _names.size():
-		var at := corner + places[i] + Vector2(PlotMark.RADIUS + 3.0, _ROW / 2.0)
+		var at := places[i] + Vector2(PlotMark.RADIUS + 3.0, _ROW / 2.0)
 		PlotMark.draw(canvas, i, at, _is_hollow[i])
 		_write(canvas, _names[i], at + Vector2(_BESIDE, 0.0), Palette.color(Palette.Role.INK))
 	if _line_name:
-		var start := corner + places[-1] + Vector2(0.0, _ROW / 2.0)
+		var start := places[-1] + Vector2(0.0, _ROW / 2.0)
 		var end := start + Vector2(_STROKE, 0.0)
 		var color := Palette.color(Palette.Role.INK)
 		canvas.draw_dashed_line(start, end, color, 2.0, 6.0)

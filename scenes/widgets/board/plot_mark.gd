@@ -34,12 +34,18 @@ static func color(number: int) -> Color:
 	return Palette.color(_ROLES[number % _ROLES.size()])
 
 
-## Draws the mark with this number; hollow for what the lab is compared with.
+## Draws the mark with this number; hollow for what the lab is compared with. A full mark has a rim
+## of the board's color, so that marks which lie on each other can be told apart.
 static func draw(canvas: CanvasItem, number: int, middle: Vector2, is_hollow: bool) -> void:
 	var corners := _corners(number, middle)
-	canvas.draw_colored_polygon(corners, Palette.PAPER if is_hollow else color(number))
-	corners.append(corners[0])
-	canvas.draw_polyline(corners, color(number), 2.5 if is_hollow else 1.0, true)
+	var outline := corners.duplicate()
+	outline.append(corners[0])
+	if not is_hollow:
+		canvas.draw_polyline(outline, Palette.drawn(Palette.PAPER), 4.0, true)
+	canvas.draw_colored_polygon(
+		corners, Palette.drawn(Palette.PAPER) if is_hollow else color(number)
+	)
+	canvas.draw_polyline(outline, color(number), 2.5 if is_hollow else 1.0, true)
 
 
 static func _corners(number: int, middle: Vector2) -> PackedVector2Array:

@@ -16,6 +16,8 @@ signal refused(message: String)
 const _NAME := "\\{(\\w+)\\}"
 # Between two statements in a line there is a wide gap.
 const _GAP := "\\s{3,}"
+# A longer text between two names is put in word by word.
+const _LONG_TEXT := 12
 
 ## Shows `?` in place of each number that cannot be typed over, and of other answers.
 var hides_numbers := false:
@@ -27,6 +29,8 @@ var _roles: Dictionary[String, Palette.Role] = {}
 var _symbols: Dictionary[String, String] = {}
 var _titles: Dictionary[String, String] = {}
 var _texts: Dictionary[String, String] = {}
+# The names of angles.
+var _angles: PackedStringArray = []
 # The names of texts that are answers.
 var _answers: PackedStringArray = []
 var _numbers: Dictionary[String, FormulaStatement.Number] = {}
@@ -36,15 +40,17 @@ var _statements: Array[FormulaStatement] = []
 var _parts: Array[Array] = []
 var _names: Array[PackedStringArray] = []
 
+@onready var _is_strong := Palette.is_high_contrast
 @onready var _name_finder := RegEx.create_from_string(_NAME)
 @onready var _gap_finder := RegEx.create_from_string(_GAP)
 
 
 ## A symbol, such as `b̂`, in the color of [param role].
 func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
-	if _symbols.get(name_in_line, "") != symbol:
+	var shown := Conventions.in_unit(symbol)
+	if _symbols.get(name_in_line, "") != shown:
 		_shown.clear()
-	_symbols[name_in_line] = symbol
+	_symbols[name_in_line] = shown
 	_set_role(name_in_line, role)
 
 
@@ -54,6 +60,19 @@ func put_number(name_in_line: String, value: float, role: Palette.Role, title: S
 	if title:
 		_titles[name_in_line] = title
 	_put(name_in_line, [value], [0.0], role)
+
+
+## An angle of [param degrees], in a line with `°` behind its name, in the color of [param role]. It
+## is shown in the unit that is chosen, without `°` in radians; what is typed over it comes in
+## degrees.
+func put_angle(
+	name_in_line: String, degrees: float, role: Palette.Role, title: String = ""
+) -> void:
+	put_number(name_in_line, Conventions.shown(degrees), role, title)
+	# A field holds digits.
+	_numbers[name_in_line].written = "" if title else Conventions.share_of_pi(degrees)
+	if not name_in_line in _angles:
+		_angles.append(name_in_line)
 
 
 ## A pair of numbers, such as (4, -3), in the color of [param role].
@@ -78,7 +97,7 @@ func put_vector_sum(
 func put_text(name_in_line: String, text: String, role: Palette.Role) -> void:
 	_set_role(name_in_line, role)
 	_numbers.erase(name_in_line)
-	_texts[name_in_line] = text
+	_texts[name_in_line] = Conventions.in_unit(text)
 
 
 ## A text that is an answer: it is hidden as numbers are.
@@ -88,13 +107,31 @@ func put_answer(name_in_line: String, text: String, role: Palette.Role) -> void:
 		_answers.append(name_in_line)
 
 
-## Shows these lines from top to bottom, with what has been put in.
+## Shows these lines from top to bottom, with what has been put in. Their angles are written in
+## degrees, such as `cos 90°`, and shown in the unit that is chosen.
 func show_lines(lines: PackedStringArray) -> void:
-	if lines != _shown:
-		_shown = lines
-		_lay_out(lines)
+	var wanted := _in_unit(lines)
+	if wanted != _shown or _is_strong != Palette.is_high_contrast:
+		_shown = wanted
+		_is_strong = Palette.is_high_contrast
+		_lay_out(wanted)
 	for i in _statements.size():
 		_fill(i)
+	_keep_height()
+
+
+# While numbers run, lines come and go: what is below stays where it is.
+func _keep_height() -> void:
+	custom_minimum_size.y = maxf(size.y, custom_minimum_size.y) if NumberField.keeps_room else 0.0
+
+
+static func _in_unit(lines: PackedStringArray) -> PackedStringArray:
+	if not Conventions.uses_radians():
+		return lines
+	var found: PackedStringArray = []
+	for line in lines:
+		found.append(Conventions.in_unit(line.replace("}°", "}")))
+	return found
 
 
 func _put(
@@ -110,6 +147,7 @@ func _put(
 	number.components = components
 	number.scales = sizes_of_terms
 	number.is_typed = _titles.has(name_in_line)
+	number.written = ""
 
 
 # Lines that are shown already have to be laid out anew when a color in them changes.
@@ -127,18 +165,19 @@ func _lay_out(lines: PackedStringArray) -> void:
 	_parts.clear()
 	_names.clear()
 	for line in lines:
-		var row := HFlowContainer.new()
-		row.add_theme_constant_override(&"h_separation", 0)
+		var row := FormulaLine.new()
 		add_child(row)
 		var at := 0
 		for gap in _gap_finder.search_all(line):
 			_add_statement(row, line.substr(at, gap.get_start() - at))
+			row.begin_group()
 			_add_plain(row, gap.get_string())
 			at = gap.get_end()
 		_add_statement(row, line.substr(at))
 
 
-func _add_statement(row: Control, statement: String) -> void:
+func _add_statement(row: FormulaLine, statement: String) -> void:
+	row.begin_group()
 	var names: PackedStringArray = []
 	var parts: Array[Control] = []
 	var at := 0
@@ -155,8 +194,16 @@ func _add_statement(row: Control, statement: String) -> void:
 
 
 func _add_plain(row: Control, text: String) -> void:
-	if text:
-		row.add_child(_new_label(text))
+	if text.length() <= _LONG_TEXT:
+		if text:
+			row.add_child(_new_label(text))
+		return
+	# So that the line can break between its words.
+	var words := text.split(" ")
+	for i in words.size():
+		var word := words[i] + (" " if i < words.size() - 1 else "")
+		if word:
+			row.add_child(_new_label(word))
 
 
 func _new_part(name_in_line: String) -> Control:
@@ -187,11 +234,14 @@ func _new_field(name_in_line: String) -> NumberField:
 	field.accessibility_name = _titles[name_in_line]
 	field.tooltip_text = _titles[name_in_line]
 	field.add_theme_color_override(&"font_color", Palette.color(_roles[name_in_line]))
-	field.number_entered.connect(
-		func(value: float) -> void: number_entered.emit(name_in_line, value)
-	)
+	field.number_entered.connect(_tell_entered.bind(name_in_line))
 	field.refused.connect(refused.emit)
 	return field
+
+
+func _tell_entered(value: float, name_in_line: String) -> void:
+	var is_angle := name_in_line in _angles
+	number_entered.emit(name_in_line, Conventions.typed(value) if is_angle else value)
 
 
 # Writes what was put in into the labels and fields of a statement.

@@ -13,10 +13,12 @@ const RESULT_DIGITS := 4
 ## A sum of at most this share of its terms is rounding: a few units in the last place.
 const ROUNDING := 1.0 / 2.0 ** 50
 ## Where the result is 0, the numbers as they are shown must give less than this share of the terms,
-## and with few digits next to nothing: they would look exact.
+## or what is called rounding; with few digits next to nothing: they would look exact.
 const NEARLY_ZERO := 1e-8
 const _ZERO := 1e-12
 const _FEW_DIGITS := 5
+# One unit of a single digit is as much as the number itself: 0 would do for 1e17.
+const _FEWEST_RESULT_DIGITS := 2
 
 # What a student types is this long at most; a longer number comes from a drag or a turn.
 const _LONGEST_TYPED := 11
@@ -34,21 +36,31 @@ const _SPELLINGS: Dictionary[String, String] = {
 	"²": "**2.0",
 	"√(n\\d+)": "sqrt($1)",
 	"√\\(": "sqrt(",
-	"atan2\\(": "180 / PI * atan2(",
 	"\\|([^|]*)\\|": "abs($1)",
-	"cos (n\\d+)°": "cos(deg_to_rad($1))",
+	"cos (n\\d+)": "cos($1)",
+	"2π": "(2.0 * PI)",
 	"(?<=[\\d)])\\s+(?=[n(\\d])": " * ",
 	"(?<![\\w.])(\\d+)(?![\\w.])": "$1.0",
 }
 # What may be in a side that can be computed, besides its names and functions.
 const _NOT_COMPUTED := "[^-−+·*/(),.√²|\\d\\s]"
-const _OPERATOR := "[-−+·/√²|]"
+# The same before, where the statement has its angles in degrees.
+const _SPELLINGS_OF_DEGREES: Dictionary[String, String] = {
+	"atan2\\(": "180 / PI * atan2(",
+	"cos (n\\d+)°": "cos(deg_to_rad($1))",
+	"360°": "360",
+}
+# What is none of this can be computed, too.
+const _COMPUTED := "cos n\\d+°?|atan2|360°|2π|\\bn\\d+"
+const _OPERATOR := "[-−+·/√²|]|cos "
 
 # The names in the order of the text; one may occur more than once.
 var _names: PackedStringArray = []
 var _variables: PackedStringArray = []
 # Between the signs of equality, with n0, n1, ... for the names.
 var _sides: PackedStringArray = []
+# Angles are in degrees, and not in radians.
+var _has_degrees := false
 # The places of what stands alone between the parentheses and commas of a function or a pair.
 var _arguments: PackedInt32Array = []
 # How many components each name had when the following was found: 0 for a text.
@@ -74,6 +86,8 @@ class Number:
 	var scales: PackedFloat64Array
 	## The student can type over it: the field shows what was typed.
 	var is_typed := false
+	## How it is written where that is exact, such as `π/2`; "" for its digits.
+	var written := ""
 
 
 ## Reads [param template], with names in braces.
@@ -89,6 +103,7 @@ func _init(template: String) -> void:
 	for found in RegEx.create_from_string(_ARGUMENT).search_all(text):
 		_arguments.append((found.get_string(1) + found.get_string(2)).to_int())
 	_sides = text.split(" = ")
+	_has_degrees = text.contains("°")
 
 
 ## How the names are written, in the order of the template, where [param numbers] has the numbers
@@ -161,15 +176,23 @@ func _add_computed(whole_side: String) -> void:
 	for place in _names_in(side):
 		if _sizes[place] == 0:
 			return
-	var without_names := RegEx.create_from_string("cos n\\d+°|atan2|\\bn\\d+").sub(side, "", true)
+	var without_names := RegEx.create_from_string(_COMPUTED).sub(side, "", true)
 	if RegEx.create_from_string(_NOT_COMPUTED).search(without_names) or not _names_in(side):
 		return
 	for component in _sizes[_result]:
 		var spelled := RegEx.create_from_string(_PAIR).sub(side, "($%d)" % (component + 1), true)
-		for pattern in _SPELLINGS:
-			spelled = RegEx.create_from_string(pattern).sub(spelled, _SPELLINGS[pattern], true)
+		if _has_degrees:
+			spelled = _spelled(spelled, _SPELLINGS_OF_DEGREES)
+		spelled = _spelled(spelled, _SPELLINGS)
 		_append_parsed(_computed[component], spelled)
 		_append_parsed(_added[component], spelled.replace("-", "+"))
+
+
+static func _spelled(side: String, spellings: Dictionary[String, String]) -> String:
+	var spelled := side
+	for pattern in spellings:
+		spelled = RegEx.create_from_string(pattern).sub(spelled, spellings[pattern], true)
+	return spelled
 
 
 func _append_parsed(expressions: Array, text: String) -> void:
@@ -199,15 +222,16 @@ func _scales(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> 
 	return scales
 
 
-# Where rounding leaves little of the result, only its first digits hold.
+# Where rounding leaves little of the result, only its first digits hold. Those of a whole number
+# are all shown: where too few hold, the other numbers have all that they have.
 func _digits_that_hold(numbers: Dictionary[String, Number], terms: PackedFloat64Array) -> int:
-	for result_digits in range(RESULT_DIGITS, 0, -1):
+	for result_digits in range(RESULT_DIGITS, _FEWEST_RESULT_DIGITS - 1, -1):
 		_result_digits = result_digits
 		for digits in _DIGITS:
 			if _holds(numbers, terms, digits):
 				return digits
 	_result_digits = RESULT_DIGITS
-	return RESULT_DIGITS
+	return _DIGITS[-1]
 
 
 # Whether the numbers as they are shown with so many digits give the result as it is shown.
@@ -216,9 +240,12 @@ func _holds(numbers: Dictionary[String, Number], terms: PackedFloat64Array, digi
 	for component in terms.size():
 		var result := numbers[_names[_result]].components[component]
 		var shown := _shown(result, scales[component], _result_digits)
+		shown = result if numbers[_names[_result]].written else shown
 		var tolerance := NumberText.last_digit(result, _result_digits)
-		if shown == 0.0:
-			tolerance = terms[component] * (_ZERO if digits <= _FEW_DIGITS else NEARLY_ZERO)
+		if shown == 0.0 and digits <= _FEW_DIGITS:
+			tolerance = terms[component] * _ZERO
+		elif shown == 0.0:
+			tolerance = maxf(terms[component] * NEARLY_ZERO, absf(result))
 		for expression: Expression in _computed[component]:
 			var value := _value(expression, _inputs(numbers, component, digits, false))
 			if absf(value - shown) > tolerance * 1.0001:
@@ -236,6 +263,7 @@ func _inputs(
 			var number := numbers[_names[place]]
 			var at := mini(component, _sizes[place] - 1)
 			value = _shown(number.components[at], number.scales[at], _digits_of(number, digits))
+			value = number.components[at] if number.written else value
 		inputs.append(absf(value) if are_sizes else value)
 	return inputs
 
@@ -256,6 +284,9 @@ static func _text(number: Number, terms: PackedFloat64Array, digits: int, is_alo
 			value = 0.0
 		parts.append(NumberText.short(value, digits))
 	var text := parts[0] if parts.size() == 1 else "(%s)" % ", ".join(parts)
+	if number.written:
+		text = number.written
+		rounding = 0.0
 	if rounding > 0.0 and is_alone:
 		text += " " + LabText.translate("(rounding: %s)") % NumberText.size(rounding)
 	elif parts.size() == 1 and text.begins_with(NumberText.MINUS) and not is_alone:

@@ -8,12 +8,23 @@ signal number_entered(value: float)
 ## What was typed cannot be taken; [param message] says why. "" once it can.
 signal refused(message: String)
 
+## Large enough for a finger, and for the numbers that run through it while a lesson plays.
+const SMALLEST := Vector2(62.0, 44.0)
+
+# So many digits can be read while they run.
+const _RUNNING_DIGITS := 3
+
+## While numbers run, a field shows few digits of its own, and one that has grown stays as large:
+## what is beside it does not move.
+static var keeps_room := false
+
 var _value := 0.0
 var _short_text := ""
 var _refused_text := ""
 
 
 func _ready() -> void:
+	custom_minimum_size = SMALLEST
 	expand_to_text_length = true
 	select_all_on_focus = true
 	add_theme_constant_override(&"minimum_character_width", 1)
@@ -30,6 +41,9 @@ func show_number(value: float, short_text: String) -> void:
 	_value = value
 	_short_text = short_text.replace(NumberText.MINUS, "-")
 	text = NumberText.typed(value) if has_focus() else _short_text
+	if keeps_room and not has_focus():
+		text = NumberText.short(value, _RUNNING_DIGITS).replace(NumberText.MINUS, "-")
+	custom_minimum_size.x = maxf(SMALLEST.x, size.x) if keeps_room else SMALLEST.x
 
 
 # The engine selects all before this is called.

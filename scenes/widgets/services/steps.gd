@@ -1,12 +1,17 @@
 class_name Steps
-extends HBoxContainer
+extends VBoxContainer
 ## Builds up a drawing from nothing: one sentence for each step, forward and back. Before a step it
 ## can ask what the student expects.
 
+## The student goes forward; nothing has been asked or shown yet.
+signal going_forward
 ## The student went to another step: the board and the formula have more or less to show.
 signal view_changed
 ## The student went to this step, counted from 0.
 signal step_changed(step: int)
+## The student goes on behind the last step (1), or back before the first one (-1), where
+## [method lead_on] has said that this leads somewhere.
+signal led_on(way: int)
 
 ## Actions that this service answers to, with what each does in a word for the help line: source
 ## text.
@@ -17,6 +22,8 @@ const ACTIONS: Dictionary[StringName, String] = {
 ## A space at which no line ends; see [method kept_together].
 const NO_BREAK_SPACE := "\u00a0"
 
+# Where there is less width, the sentence has all of it, below the buttons.
+const _NARROW := 400.0
 # Letters at the end of a sentence between which no line ends.
 const _ENDING := 12
 
@@ -24,6 +31,11 @@ const _ENDING := 12
 var step: int:
 	get:
 		return _step
+
+## How many steps there are.
+var count: int:
+	get:
+		return _sentences.size()
 
 var _sentences: PackedStringArray = []
 var _step := 0
@@ -34,13 +46,19 @@ var _prediction: Prediction
 var _is_asking := false
 # The place of the choice that the student has made; -1 for none.
 var _chosen := -1
+# Where the buttons lead to at either end; "" for nowhere.
+var _before := ""
+var _behind := ""
 
 @onready var _count: Label = %Count
 @onready var _answer: Label = %Answer
 @onready var _sentence: Label = %Sentence
 @onready var _choices: HFlowContainer = %Choices
+@onready var _texts: Control = %Texts
 @onready var _back: Button = %Back
 @onready var _forward: Button = %Forward
+@onready var _words_back := _back.tooltip_text
+@onready var _words_forward := _forward.tooltip_text
 
 
 ## What the student is asked to predict before a step.
@@ -57,10 +75,11 @@ class Prediction:
 	var was_asked := false
 
 
-## [param sentence] with spaces that do not break where a line must not end: beside a sign, as in
-## `a · b`, and in the last few letters, so that no short word is left alone in the last line.
+## [param sentence], its angles in the unit that is chosen, with spaces that do not break where a
+## line must not end: beside a sign, as in `a · b`, and in the last few letters, so that no short
+## word is left alone in the last line.
 static func kept_together(sentence: String) -> String:
-	var kept := sentence
+	var kept := Conventions.in_unit(sentence)
 	for sign_between in "·−=<≤>/+":
 		var kept_sign := NO_BREAK_SPACE + sign_between + NO_BREAK_SPACE
 		kept = kept.replace(" " + sign_between + " ", kept_sign)
@@ -68,6 +87,7 @@ static func kept_together(sentence: String) -> String:
 
 
 func _ready() -> void:
+	resized.connect(_arrange, CONNECT_DEFERRED)
 	_back.pressed.connect(go_back)
 	_forward.pressed.connect(go_forward)
 
@@ -80,20 +100,45 @@ func tell(sentences: PackedStringArray) -> void:
 	_refresh()
 
 
+## Whether the step that is shown is the last one.
+func is_at_end() -> bool:
+	return _step == _sentences.size() - 1
+
+
 ## Goes to a step, counted from 0; stays inside the first and the last. Asks nothing.
 func go_to(at: int) -> void:
 	_end_prediction()
 	_show_step(at)
 
 
+## The same, and what is asked before this step, or one before it, is asked no more.
+func open_at(at: int) -> void:
+	for before in _questions:
+		if before <= at:
+			_questions[before].was_asked = true
+	go_to(at)
+
+
+## From now on one step more than there are leads somewhere: translated words for the buttons say
+## where to, [param before] the first step and [param behind] the last one; "" for nowhere.
+func lead_on(before: String, behind: String) -> void:
+	_before = before
+	_behind = behind
+	_refresh()
+
+
 ## Goes to the next step, or asks first what is to be asked before it.
 func go_forward() -> void:
+	going_forward.emit()
 	if _is_asking:
-		_answer.text = _prediction.judge.call()
+		var words: String = _prediction.judge.call()
+		_say_answer(words)
 		_is_asking = false
 		if not _answer.text:
 			_end_prediction()
 		_show_step(_step + 1)
+	elif is_at_end() and _behind:
+		led_on.emit(1)
 	elif not _asks_before(_step + 1):
 		go_to(_step + 1)
 
@@ -102,6 +147,8 @@ func go_forward() -> void:
 func go_back() -> void:
 	if _is_asking:
 		_end_prediction()
+	elif _step == 0 and _before:
+		led_on.emit(-1)
 	else:
 		go_to(_step - 1)
 
@@ -140,9 +187,10 @@ func ask_again() -> void:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	if event.is_action_pressed(&"lab_next_step", true, true):
+	# A key that is held down goes through the steps, and no further.
+	if event.is_action_pressed(&"lab_next_step", not is_at_end(), true):
 		go_forward()
-	elif event.is_action_pressed(&"lab_previous_step", true, true):
+	elif event.is_action_pressed(&"lab_previous_step", _step > 0, true):
 		go_back()
 
 
@@ -166,7 +214,7 @@ func _end_prediction() -> void:
 	_prediction.end.call()
 	_prediction = null
 	_is_asking = false
-	_answer.text = ""
+	_say_answer("")
 	_refresh()
 
 
@@ -187,7 +235,7 @@ func _offer(choices: PackedStringArray, right: Callable) -> bool:
 	_chosen = -1
 	for i in choices.size():
 		var button := Button.new()
-		button.text = choices[i]
+		button.text = Conventions.in_unit(choices[i])
 		button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 		button.theme_type_variation = &"ButtonSmall"
 		button.pressed.connect(_choose.bind(i))
@@ -205,7 +253,8 @@ func _judge_choice(choices: PackedStringArray, right: Callable) -> String:
 	var wanted: int = right.call()
 	if _chosen < 0 or wanted < 0:
 		return ""
-	return (tr("Right: %s") if _chosen == wanted else tr("No, %s")) % choices[wanted]
+	var answer := Conventions.in_unit(choices[wanted])
+	return (tr("Right: %s") if _chosen == wanted else tr("No, %s")) % answer
 
 
 func _clear_choices() -> void:
@@ -213,8 +262,30 @@ func _clear_choices() -> void:
 		button.queue_free()
 
 
+# The sentence beside the buttons, or below them.
+func _arrange() -> void:
+	var place: Control = self if size.x < _NARROW else _texts
+	for part: Control in [_sentence, _choices]:
+		if part.get_parent() != place:
+			part.reparent(place, false)
+
+
+# Without one the line of the count has no room to keep for it.
+func _say_answer(words: String) -> void:
+	_answer.text = words
+	_answer.visible = words != ""
+
+
 func _refresh() -> void:
 	_count.text = tr("Step %d of %d") % [_step + 1, _sentences.size()]
 	_sentence.text = kept_together(_prediction.prompt if _is_asking else _sentences[_step])
-	_back.disabled = _step == 0 and not _is_asking
-	_forward.disabled = _step == _sentences.size() - 1
+	var leads_back := _step == 0 and not _is_asking and _before != ""
+	_label(_back, _before if leads_back else _words_back)
+	_label(_forward, _behind if is_at_end() and _behind else _words_forward)
+	_back.disabled = _step == 0 and not _is_asking and not _before
+	_forward.disabled = is_at_end() and not _behind
+
+
+func _label(button: Button, words: String) -> void:
+	button.tooltip_text = words
+	button.accessibility_name = words

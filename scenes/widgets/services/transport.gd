@@ -39,6 +39,7 @@ func _ready() -> void:
 	(%StepBack as Button).pressed.connect(_step.bind(-STEP_SECONDS))
 	(%Step as Button).pressed.connect(_step.bind(STEP_SECONDS))
 	_play.toggled.connect(_run)
+	tree_exiting.connect(func() -> void: NumberField.keeps_room = false)
 	set_process(false)
 
 
@@ -47,6 +48,9 @@ func _process(delta: float) -> void:
 
 
 func _unhandled_input(event: InputEvent) -> void:
+	# What a lesson does not show yet answers to no key.
+	if not visible:
+		return
 	if event.is_action_pressed(&"lab_pause"):
 		_play.button_pressed = not _play.button_pressed
 	elif event.is_action_pressed(&"lab_slow"):
@@ -59,6 +63,8 @@ func _unhandled_input(event: InputEvent) -> void:
 
 func _run(is_playing_now: bool) -> void:
 	set_process(is_playing_now)
+	NumberField.keeps_room = is_playing_now
+	get_tree().call_group(FormulaLine.LINES, &"queue_sort")
 	_play.icon = pause_sign if is_playing_now else _play_sign
 	if not is_playing_now:
 		halted.emit()

@@ -42,6 +42,14 @@ func cases(is_quick: bool) -> Array[MeasuredCase]:
 	return found
 
 
+## See [method ReportProblem.ceilings]: what a call in each frame of every flight takes.
+func ceilings() -> Array[MeasuredCase]:
+	var found: Array[MeasuredCase] = []
+	for shot in shots():
+		found.append(EmptyCall.new(shot, 60))
+	return found
+
+
 ## All flights: the short ones, then the long ones.
 static func shots() -> Array[Shot]:
 	var found: Array[Shot] = []

@@ -23,6 +23,12 @@ var error_axis := "error, px"
 @abstract func cases(is_quick: bool) -> Array[MeasuredCase]
 
 
+## Cases for the report alone, which solve nothing: what is measured with them shows how good a
+## method can be at best. None by default.
+func ceilings() -> Array[MeasuredCase]:
+	return []
+
+
 ## A further section of the report about these measurements, in Markdown; "" for none.
 func remarks(_rows: Array[Measurement]) -> String:
 	return ""

@@ -45,7 +45,7 @@ func _try(_is_quick: bool, trials: Callable) -> StabilityResult:
 	for answer in answers:
 		for word in answer.slice(1):
 			if not answer[0].contains(word):
-				wrong.append("“%s” without “%s”" % [answer[0], word])
+				wrong.append(tr("“%s” without “%s”") % [answer[0], word])
 	if _all_of(world) != before:
 		wrong.append(tr("the world has changed"))
 	if wrong:

@@ -27,7 +27,7 @@ func cases() -> Array[StabilityCase]:
 		found.append(_case(title, tr("end within 1e-9 px"), _try_speed.bind(speed)))
 	for radius in _RADII:
 		var title := tr("Radius %s px, through a box 50 times") % NumberText.short(radius)
-		var criterion := tr("end within 1e-12 of the box")
+		var criterion := tr("end within 1e-12 of the box's width")
 		found.append(_case(title, criterion, _try_radius.bind(radius)))
 	found.append(_far_away())
 	for seconds in _STEPS:

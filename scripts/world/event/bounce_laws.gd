@@ -4,26 +4,60 @@ extends BallSupport
 ## a segment between its ends) in _bounce_off_line, the cap of a segment in _bounce_off_cap, another
 ## ball in _exchange. The first two share _reflect, the law of reflection.
 ##
-## Two of the laws are written out once more for the commonest cases, right below the readable ones:
-## _bounce_off_wall_fast and _bounce_off_segment_fast. Tests compare them to the last bit.
-
-## Where nothing presses a ball on a surface it leaves with at least this share of its speed along
-## the normal: then rounding cannot let it meet the same surface again at once.
-const LEAST_SHARE := 1.0 / 2.0 ** 50
-## A ball loses no speed in an impact if it has met another ball within this time before, in
-## seconds. Otherwise impacts among three balls that lose speed, or two and a wall, could follow
-## each other without end (the TC model of Luding and McNamara, How to Handle the Inelastic
-## Collapse, 1998).
-const PILE_UP := 1e-6
-## A ball does not come to rest on another one: their bounces end in hops of this time, in seconds,
-## in which no more speed is lost. At 500 px/s² such a hop is 0.006 px high.
-const LEAST_HOP := 1e-2
+## Two of the laws are written out once more for the commonest cases: _bounce_between_walls and
+## _bounce_off_segment_fast. Tests compare them to the last bit.
 
 
-# Lets the event of this ball happen, which comes first of all.
+# Lets all events happen until this time. "" or a sentence, where there are too many impacts: then
+# the world stays at that moment.
+func _advance_to(target: float, low: float) -> String:
+	var queue := _queue
+	while queue.first_time <= target:
+		# An event within the last place of the target is still to come: if it happened now, a fast
+		# ball would be seen beyond what it bounces off.
+		if queue.first_time == target and queue.first_low > low:
+			break
+		time = queue.first_time
+		_time_low = queue.first_low
+		var index := queue.first
+		if _is_alone and not keeps_events and _event_kind[index] == TOUCH:
+			_bounce_between_walls(index, target, low)
+		else:
+			_happen(index)
+		if impacts - _counted_impacts > most_impacts_per_second:
+			var problem := _problem_of_count()
+			if problem:
+				return problem
+	time = target
+	_time_low = low
+	_quiet_until = queue.first_time
+	return ""
+
+
+# A new second begins where the old one is over; within one there are too many.
+func _problem_of_count() -> String:
+	if time >= _count_from + 1.0:
+		_count_again()
+		return ""
+	var values := [most_impacts_per_second, time]
+	return "There are more than %d impacts within a second at %s s: the world stops there." % values
+
+
+func _count_again() -> void:
+	_quiet_until = -INF
+	_lone_until = -INF
+	_count_from = time
+	_counted_impacts = impacts
+
+
+# Lets the event of this ball happen, which comes first of all. What is no impact counts for the
+# bound of impacts in a second, too, so that time always goes on.
 func _happen(index: int) -> void:
 	if _uses_cells and _cross_time[index] < _event_time[index]:
-		_cross(index)
+		if _gravity_x == 0.0 and _gravity_y == 0.0:
+			_cross_fast(index)
+		else:
+			_cross(index)
 		return
 	var kind := _event_kind[index]
 	if kind == TOUCH:
@@ -34,32 +68,55 @@ func _happen(index: int) -> void:
 	elif kind == LOOK_AGAIN:
 		_forecast_event(index)
 	elif kind == SLIDE_OFF:
+		_counted_impacts -= 1
 		_touched[index] = _slide_off(index)
 		if _touched[index] != NOTHING:
 			_touched_feature[index] = Impact.Feature.LINE
 			_bounce(index)
 		_forecast(index)
 	elif kind == FOLLOW_CAP:
+		_counted_impacts -= 1
 		_follow_cap(index)
+		_forecast(index)
+	elif kind == TRY_AGAIN:
+		_counted_impacts -= 1
+		_restart(index)
+		if not _settle(index):
+			_set_free(index)
 		_forecast(index)
 
 
 # A ball touches a wall or a segment.
 func _bounce(index: int) -> void:
 	impacts += 1
-	_restart(index)
 	var surface := _touched[index]
+	if _bounciness < 1.0:
+		# A touch that follows too many hurried ones counts as one of a pile-up. What can hardly rise
+		# any more stands still for a moment, so that gravity can take it out.
+		if _piles.is_hurried(index, surface, time - _start[index]):
+			_last_meeting[index] = time
+			if _can_hardly_rise(index):
+				_velocity_x[index] = 0.0
+				_velocity_y[index] = 0.0
+	_restart(index)
 	if not keeps_events and _bounciness == 1.0 and surface >= 0 and _is_weightless():
 		if _touched_feature[index] == Impact.Feature.LINE:
 			_bounce_off_segment_fast(index, surface)
 			return
 	var event := _begin_event(index)
+	if surface < NOTHING and _is_weightless():
+		_bounce_off_wall(index, surface, event)
+		return
 	_find_contact(index, surface)
 	var approach := -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
-	if surface == _left_surface[index] and _is_line(index, surface):
+	var has_left_line := _left_feature[index] == Impact.Feature.LINE
+	if surface == _left_surface[index] and has_left_line and _is_line(index, surface):
 		# It comes back as fast as it left: no digit is lost from bounce to bounce.
 		approach = _left_speed[index]
 	_bounce_off(index, surface, maxf(approach, 0.0), event)
+	if _piles.slow_speed > 0.0:
+		_piles.count_touch(index, time)
+		_calm(index)
 
 
 # A ball approaches a surface, whose normal must be known, with this speed along the normal.
@@ -84,6 +141,20 @@ func _bounce_off_line(index: int, surface: int, approach: float, event: WorldEve
 		_rest_if_over(index, surface, speed, pressure)
 
 
+# THE LAW FOR A WALL where there is no gravity: the ball is put exactly where it touches the wall,
+# and one of its two velocities turns round. So the other one loses nothing by rounding.
+func _bounce_off_wall(index: int, wall: int, event: WorldEvent) -> void:
+	_find_normal(index, wall)
+	_move_to_wall(index, wall)
+	var share := 1.0 if _is_pile_up(index) else _bounciness
+	if wall == LEFT_WALL or wall == RIGHT_WALL:
+		_velocity_x[index] *= -share
+	else:
+		_velocity_y[index] *= -share
+	_set_free(index)
+	_end_event(index, wall, event)
+
+
 # THE LAW FOR A CAP, the round end of a segment: the ball is reflected as off a line through the
 # point of contact; it may slide over the cap from there.
 func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent) -> void:
@@ -94,7 +165,11 @@ func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent)
 		_left_surface[index] = place
 		_left_speed[index] = speed
 	_end_event(index, place, event)
-	if not _is_weightless() and _is_hop_over(index, speed, pressure):
+	if _is_weightless():
+		return
+	if _is_held_by_two(index):
+		_lie_still(index, place)
+	elif _is_hop_over(index, speed, pressure):
 		_roll(index, place, _touched_feature[index] as Impact.Feature)
 
 
@@ -113,17 +188,11 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 		_keep_speed(index, speed_squared)
 	else:
 		_lasting_speed[index] = NAN
-	if pressure <= 0.0:
-		_lift(index, speed, speed_squared)
-	return speed
-
-
-# Where nothing presses the ball on the surface: see LEAST_SHARE.
-func _lift(index: int, speed: float, speed_squared: float) -> void:
-	var missing := LEAST_SHARE * sqrt(speed_squared) - speed
-	if missing > 0.0:
+	var missing := BallPiles.LEAST_SHARE * sqrt(speed_squared) - speed
+	if pressure <= 0.0 and missing > 0.0:
 		_velocity_x[index] += missing * _normal_x
 		_velocity_y[index] += missing * _normal_y
+	return speed
 
 
 # What _bounce_off_line does at the line of a segment for C = 1, without gravity and without events,
@@ -150,72 +219,82 @@ func _bounce_off_segment_fast(index: int, place: int) -> void:
 	_left_surface[index] = place
 
 
-# What becomes of a ball in straight flight at a wall, and its next touch of a wall if nothing else
-# is there, written out: a lone ball in a box does nothing else. With the readable steps it takes
-# 1.5 times as long, and cut into two functions 1.1 times. Unlike _bounce_off_line this law puts
-# the ball exactly where it touches the wall.
-func _bounce_off_wall_fast(index: int) -> void:
-	impacts += 1
-	var flown := (time - _start[index]) + (_time_low - _start_low[index])
+# All bounces until the target of a ball that is alone between walls: what _bounce_off_wall and
+# _forecast do again and again, written out, with all numbers in local variables.
+func _bounce_between_walls(index: int, target: float, target_low: float) -> void:
+	var radius := _radius[index]
+	var left := _left_x + radius
+	var right := _right_x - radius
+	var top := _top_y + radius
+	var bottom := _bottom_y - radius
+	var x := _x[index]
+	var y := _y[index]
 	var velocity_x := _velocity_x[index]
 	var velocity_y := _velocity_y[index]
-	var radius := _radius[index]
-	var x := _x[index] + velocity_x * flown
-	var y := _y[index] + velocity_y * flown
+	var start := _start[index]
+	var start_low := _start_low[index]
 	var wall := _touched[index]
-	if wall == LEFT_WALL:
-		x = _left_x + radius
-		velocity_x *= -_bounciness
-	elif wall == RIGHT_WALL:
-		x = _right_x - radius
-		velocity_x *= -_bounciness
-	elif wall == TOP_WALL:
-		y = _top_y + radius
-		velocity_y *= -_bounciness
-	else:
-		y = _bottom_y - radius
-		velocity_y *= -_bounciness
+	var event_time := time
+	var event_low := _time_low
+	var seconds := 0.0
+	# The one with which there are too many is the last.
+	var last := _counted_impacts + most_impacts_per_second + 1
+	while true:
+		impacts += 1
+		var flown := (event_time - start) + (event_low - start_low)
+		start = event_time
+		start_low = event_low
+		if wall <= RIGHT_WALL:
+			x = left if wall == LEFT_WALL else right
+			y += velocity_y * flown
+			velocity_x *= -_bounciness
+		else:
+			x += velocity_x * flown
+			y = top if wall == TOP_WALL else bottom
+			velocity_y *= -_bounciness
+		seconds = INF
+		if velocity_x > 0.0:
+			seconds = (right - x) / velocity_x
+			wall = RIGHT_WALL
+		elif velocity_x < 0.0:
+			seconds = (left - x) / velocity_x
+			wall = LEFT_WALL
+		var up_or_down := INF
+		if velocity_y > 0.0:
+			up_or_down = (bottom - y) / velocity_y
+		elif velocity_y < 0.0:
+			up_or_down = (top - y) / velocity_y
+		if up_or_down < seconds:
+			seconds = up_or_down
+			wall = BOTTOM_WALL if velocity_y > 0.0 else TOP_WALL
+		if not seconds > 0.0 or seconds == INF:
+			break
+		var sum := start + seconds
+		var part := sum - start
+		var low := (start - (sum - part)) + (seconds - part) + start_low
+		event_time = sum + low
+		event_low = low - (event_time - sum)
+		if event_time >= target and (event_time > target or event_low > target_low):
+			break
+		if impacts >= last:
+			break
 	_x[index] = x
 	_y[index] = y
 	_velocity_x[index] = velocity_x
 	_velocity_y[index] = velocity_y
-	_start[index] = time
-	_start_low[index] = _time_low
-	if _balls_there > 1 or _segments.size() > 0:
-		_left_surface[index] = NOTHING
-		_forecast(index)
-		return
-	var seconds := INF
-	if velocity_x > 0.0:
-		seconds = (_right_x - radius - x) / velocity_x
-		wall = RIGHT_WALL
-	elif velocity_x < 0.0:
-		seconds = (_left_x + radius - x) / velocity_x
-		wall = LEFT_WALL
-	if velocity_y > 0.0:
-		var to_wall := (_bottom_y - radius - y) / velocity_y
-		if to_wall < seconds:
-			seconds = to_wall
-			wall = BOTTOM_WALL
-	elif velocity_y < 0.0:
-		var to_wall := (_top_y + radius - y) / velocity_y
-		if to_wall < seconds:
-			seconds = to_wall
-			wall = TOP_WALL
+	time = start
+	_time_low = start_low
+	_start[index] = start
+	_start_low[index] = start_low
 	if not seconds > 0.0 or seconds == INF:
 		_forecast(index)
 		return
-	var sum := time + seconds
-	var part := sum - time
-	var low := (time - (sum - part)) + (seconds - part) + _time_low
-	var event_time := sum + low
-	low -= event_time - sum
 	_touch_time[index] = event_time
-	_touch_low[index] = low
+	_touch_low[index] = event_low
 	_touched[index] = wall
 	_event_time[index] = event_time
-	_event_low[index] = low
-	_queue.change(index, event_time, low)
+	_event_low[index] = event_low
+	_queue.change(index, event_time, event_low)
 
 
 # Two balls meet.
@@ -228,14 +307,56 @@ func _collide(one: int, other: int) -> void:
 	var distance := sqrt(dx * dx + dy * dy)
 	_normal_x = dx / distance if distance > 0.0 else 0.0
 	_normal_y = dy / distance if distance > 0.0 else 0.0
+	if _piles.slow_speed > 0.0:
+		_collide_in_pile(one, other)
+	else:
+		_push(one, other)
+	_forecast(one)
+	_forecast(other)
+
+
+func _push(one: int, other: int) -> void:
 	if keeps_events:
 		_exchange_with_events(one, other)
 	else:
 		_exchange(one, other)
 	_leave_support(one)
 	_leave_support(other)
-	_forecast(one)
-	_forecast(other)
+
+
+# What BallPiles says: a ball that lies takes a slow push; balls that are pressed on each other may
+# come to lie.
+func _collide_in_pile(one: int, other: int) -> void:
+	var pull_x := _pull_x[one] - _pull_x[other]
+	var pull_y := _pull_y[one] - _pull_y[other]
+	var is_pressed := pull_x * _normal_x + pull_y * _normal_y < 0.0
+	_piles.note_meeting(one, other, is_pressed, time)
+	if not (_is_borne(one, other, 1.0) or _is_borne(other, one, -1.0)):
+		var woken := _wake(one)
+		woken.append_array(_wake(other))
+		_push(one, other)
+		for index in woken:
+			_forecast(index)
+	for index: int in [one, other]:
+		_calm(index)
+		if is_pressed:
+			_settle(index)
+
+
+# Whether the other ball lies and takes the push of this one. Side is -1 for the opposite normal.
+func _is_borne(index: int, lying: int, side: float) -> bool:
+	if not _piles.takes_push(lying, index, side * _normal_x, side * _normal_y):
+		return false
+	_normal_x *= side
+	_normal_y *= side
+	var event := _begin_event(index)
+	var pressure := -(_pull_x[index] * _normal_x + _pull_y[index] * _normal_y)
+	var part := sqrt(_mass[lying] / (_mass[lying] + _mass[index]))
+	_piles.hop_off(index, _normal_x, _normal_y, pressure, part)
+	_last_meeting[index] = time
+	_end_event(index, lying, event, WorldEvent.Kind.BALL)
+	_leave_support(index)
+	return true
 
 
 # Each of the two has an event of its own.
@@ -267,11 +388,11 @@ func _exchange(one: int, other: int) -> void:
 		var outwards := around * around / (_radius[one] + _radius[other])
 		var pressure := -(pull_x * _normal_x + pull_y * _normal_y) - outwards
 		approach = maxf(approach, 0.0)
-		speed = _hop_speed(speed, approach, pressure)
+		speed = BallPiles.hop_speed(speed, approach, pressure)
 	if _bounciness < 1.0:
 		# See LEAST_SHARE.
 		var size := sqrt(_squared_speed(one)) + sqrt(_squared_speed(other))
-		speed = maxf(speed, LEAST_SHARE * size)
+		speed = maxf(speed, BallPiles.LEAST_SHARE * size)
 	if not approach + speed > 0.0:
 		return
 	var share := (approach + speed) / (_mass[one] + _mass[other])
@@ -283,27 +404,20 @@ func _exchange(one: int, other: int) -> void:
 	_lasting_speed[other] = NAN
 
 
-# The speed with which two balls part that a pull presses together: not so slow that the hop is
-# shorter than LEAST_HOP, but no faster than the approach, unless there was almost none.
-func _hop_speed(speed: float, approach: float, pressure: float) -> float:
-	var least := 0.5 * pressure * LEAST_HOP
-	if speed >= least:
-		return speed
-	return minf(approach, least) if approach > 1e-3 * least else least
-
-
 # After the push of another ball: a ball that lay on something may be lifted off it, or driven into
 # it.
 func _leave_support(index: int) -> void:
 	_left_surface[index] = NOTHING
 	var surface := _support[index]
-	if surface == NOTHING:
+	if surface == NOTHING or surface == ON_BALLS:
 		return
 	_touched_feature[index] = _rolled_end[index]
+	if surface >= 0 and _rolled_end[index] == Impact.Feature.LINE:
+		_touched_feature[index] = _segments.nearest_feature(surface, _x[index], _y[index])
 	_find_contact(index, surface)
 	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
 	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
-	var is_slow := _bounciness < 1.0 and -speed <= 0.5 * pressure * LEAST_HOP
+	var is_slow := _bounciness < 1.0 and -speed <= 0.5 * pressure * BallPiles.LEAST_HOP
 	if _is_line(index, surface) and (speed == 0.0 or (speed < 0.0 and is_slow)):
 		# The line takes a push that is no stronger than a hop at once.
 		_put_on(index, surface)
@@ -331,6 +445,6 @@ func _find_contact(index: int, surface: int) -> void:
 		_find_cap_normal(index, surface, _touched_feature[index] as Impact.Feature)
 
 
-# Whether a ball has met another one so recently that it loses no speed now: see PILE_UP.
+# Whether a ball has met another one so recently that it loses no speed now: see BallPiles.PILE_UP.
 func _is_pile_up(index: int) -> bool:
-	return time - _last_meeting[index] < PILE_UP
+	return time - _last_meeting[index] < BallPiles.PILE_UP

@@ -101,6 +101,12 @@ func move_to(ball: int, seconds: float) -> void:
 ## gravity in px/s².
 func begin_piece(ball: int, seconds: float, gravity: float, radius: float) -> void:
 	move_to(ball, seconds)
+	if slides[ball].ending == CapSlide.Ending.NEVER and velocity_x == 0.0 and velocity_y == 0.0:
+		# It lies on the top for ever.
+		piece_seconds = INF
+		pull_x = 0.0
+		pull_y = 0.0
+		return
 	piece_seconds = minf(_longest_piece(gravity, radius), duration(ball) - seconds)
 	var slide := slides[ball]
 	slide.move_to(seconds + piece_seconds)

@@ -7,21 +7,62 @@ extends EventState
 ## Each ball has one event at a time (Lubachevsky, How to Simulate Billiards and Similar Systems,
 ## 1991). Two balls that are to meet share one. When a ball finds an earlier partner, it may take it
 ## away from a third ball; that one is told to look again at the time of the impact that it has
-## lost. A ball that will do something else before a possible impact is no partner: it looks again
-## when it has done so, and finds the impact then.
-
-# Shorter by some last places.
-const _JUST_CLEAR := 1.0 - 1.0 / 2.0 ** 46
+## lost. A ball with another event before a possible impact is no partner: it looks again then.
 
 
 # Works out what comes next for a ball whose flight begins now.
 func _forecast(index: int) -> void:
 	_forecast_touch(index)
+	if _uses_cells and _gravity_x == 0.0 and _gravity_y == 0.0:
+		_choose_event_fast(index, true)
+		return
+	_forecast_meeting(index)
+
+
+# What comes next for a ball whose next touch is known.
+func _forecast_meeting(index: int) -> void:
 	if _balls_there > 1:
 		_ask(index)
 		if _uses_cells:
 			_forecast_crossing(index)
 	_choose_event(index)
+
+
+# What _forecast_meeting does for a ball of a crowd that nothing pulls, by one search that is
+# written out; without [param is_new] what _forecast_event does.
+func _choose_event_fast(index: int, is_new: bool) -> void:
+	var within := (_touch_time[index] - time) + (_touch_low[index] - _time_low)
+	var cells := _cells
+	cells.search(index, time, _time_low, within, cells.all_neighbors, is_new)
+	if cells.partner >= 0:
+		_meet_found_partner(index)
+		return
+	if _event_kind[index] == MEET:
+		_release_partner(index)
+	_set_event(index, _touch_time[index], _touch_low[index], _touch_kind[index], _touched[index])
+
+
+# What _cross does with readable steps, by the search that is written out.
+func _cross_fast(index: int) -> void:
+	var within := (_event_time[index] - time) + (_event_low[index] - _time_low)
+	var cells := _cells
+	var new_neighbors := cells.new_neighbors[cells.border[index] + 2]
+	cells.cross(index)
+	cells.search(index, time, _time_low, within, new_neighbors, true)
+	if cells.partner >= 0:
+		_meet_found_partner(index)
+	elif _cross_time[index] < _event_time[index]:
+		_queue.change(index, _cross_time[index], 0.0)
+	else:
+		_queue.change(index, _event_time[index], _event_low[index])
+
+
+func _meet_found_partner(index: int) -> void:
+	_asker = index
+	_partner = _cells.partner
+	_partner_seconds = _cells.seconds
+	_release_partner(index)
+	_meet_partner(index)
 
 
 # When the asker comes into another cell.
@@ -60,6 +101,9 @@ func _cross(index: int) -> void:
 
 # Looks for a partner again, while the flight goes on.
 func _forecast_event(index: int) -> void:
+	if _uses_cells and _gravity_x == 0.0 and _gravity_y == 0.0:
+		_choose_event_fast(index, false)
+		return
 	_ask(index)
 	_choose_event(index)
 
@@ -131,41 +175,13 @@ func _try_all_partners(index: int) -> void:
 			_try_partner(other)
 
 
-# Tries all balls of these cells. The steps of _try_partner for balls that nothing pulls are written
-# out: a world of many balls spends most of its time here, and takes 1.3 times as long without. A
-# test compares both to the last bit.
+# Tries all balls of these cells.
 func _try_cells(around: int, cells: PackedInt32Array) -> void:
-	var first := _cells.first
-	var next := _cells.next
-	var neighbors := _cells.neighbors
-	var is_pulled := _gravity_x != 0.0 or _gravity_y != 0.0
 	for place in cells:
-		var other := first[neighbors[around + place]]
+		var other := _cells.first[_cells.neighbors[around + place]]
 		while other >= 0:
-			if is_pulled:
-				_try_partner(other)
-				other = next[other]
-				continue
-			var flown := (time - _start[other]) + (_time_low - _start_low[other])
-			var velocity_x := _velocity_x[other]
-			var velocity_y := _velocity_y[other]
-			var dx := _asker_x - _x[other] - velocity_x * flown
-			var dy := _asker_y - _y[other] - velocity_y * flown
-			velocity_x = _asker_velocity_x - velocity_x
-			velocity_y = _asker_velocity_y - velocity_y
-			var approach := -(dx * velocity_x + dy * velocity_y)
-			if approach > 0.0:
-				var reach := _asker_radius + _radius[other]
-				var excess := dx * dx + dy * dy - reach * reach
-				if excess <= 0.0:
-					_take_partner(other, 0.0)
-				elif excess <= 2.0 * approach * _partner_seconds:
-					var offset := dx * velocity_y - dy * velocity_x
-					var speed_squared := velocity_x * velocity_x + velocity_y * velocity_y
-					var discriminant := reach * reach * speed_squared - offset * offset
-					if discriminant > 0.0:
-						_take_partner(other, excess / (approach + sqrt(discriminant)))
-			other = next[other]
+			_try_partner(other)
+			other = _cells.next[other]
 
 
 # Takes the other ball as partner if the asker meets it before all that it has found, by the formula
@@ -183,8 +199,9 @@ func _try_partner(other: int) -> void:
 	var pull_y := _asker_pull_y - _pull_y[other]
 	if pull_x != 0.0 or pull_y != 0.0:
 		if other != _asker:
-			if _meets_under_pull(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach):
-				_take_partner(other, _accelerated.time)
+			_pulled_meeting.set_flight(dx, dy, velocity_x, velocity_y, pull_x, pull_y)
+			if _pulled_meeting.is_found(reach, _partner_seconds):
+				_take_partner(other, _pulled_meeting.time)
 		return
 	var approach := -(dx * velocity_x + dy * velocity_y)
 	if not approach > 0.0:
@@ -206,37 +223,13 @@ func _take_partner(other: int, seconds: float) -> void:
 		_partner = other
 
 
-# One of the two lies or slides on something, so one is pulled as seen from the other.
-func _meets_under_pull(
-	dx: float,
-	dy: float,
-	velocity_x: float,
-	velocity_y: float,
-	pull_x: float,
-	pull_y: float,
-	reach: float
-) -> bool:
-	var distance := sqrt(dx * dx + dy * dy)
-	# The same rule as for a ball that lies on a cap: SegmentScan._lies_on.
-	if absf(distance - reach) <= SegmentScan.TOUCH:
-		var away := (velocity_x * dx + velocity_y * dy) / distance
-		var around := (velocity_x * dy - velocity_y * dx) / distance
-		var inwards := -(pull_x * dx + pull_y * dy) / distance - around * around / distance
-		if inwards > 0.0 and away * away <= 2.0 * inwards * SegmentScan.TOUCH:
-			_accelerated.time = 2.0 * maxf(away, 0.0) / inwards
-			return true
-		if away > 0.0:
-			# They touch and part: taken as just clear of each other, so that rounding cannot find
-			# this touch again.
-			reach = distance * _JUST_CLEAR
-	_accelerated.set_flight(dx, dy, velocity_x, velocity_y, pull_x, pull_y, reach)
-	return _accelerated.with_point(0.0, 0.0, _partner_seconds)
-
-
 # The next touch of a wall or a segment, as if there were no other balls.
 func _forecast_touch(index: int) -> void:
 	if _pull_x[index] != 0.0 or _pull_y[index] != 0.0 or _support[index] >= 0:
 		_forecast_accelerated_touch(index)
+		return
+	if _support[index] == ON_BALLS:
+		_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
 		return
 	var x := _x[index]
 	var y := _y[index]
@@ -446,3 +439,12 @@ func _forecast_slide(index: int, place: int) -> void:
 			Impact.Feature.START if to_start < to_end else Impact.Feature.END
 		)
 		_take(minf(to_start, to_end), place, SLIDE_OFF)
+
+
+# The unit normal of a cap, towards the ball.
+func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
+	var dx := _x[index] - _segments.end_x(place, feature)
+	var dy := _y[index] - _segments.end_y(place, feature)
+	var distance := sqrt(dx * dx + dy * dy)
+	_normal_x = dx / distance if distance > 0.0 else 0.0
+	_normal_y = dy / distance if distance > 0.0 else 0.0

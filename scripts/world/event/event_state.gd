@@ -14,12 +14,15 @@ extends RefCounted
 ## After 100 s and thousands of impacts a single double would be off by some 1e-12 s, which is
 ## 1e-8 px for a ball of 30 000 px/s. A field `..._low` holds the second one.
 
-## The surfaces that are no segments; a segment is known by its place, 0 or more.
-enum { LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2 }
+## The surfaces that are no segments, whose places are 0 or more; the one that a ball in a pile has.
+enum {
+	ON_BALLS = BallPiles.ON_BALLS, LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2
+}
 
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
-## again, it slides to the end of the segment under it, or a piece of its way over a cap is over.
-enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP }
+## again, it slides to the end of the segment under it, a piece of its way over a cap is over, or it
+## has lain in a pile for a while.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN }
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
@@ -28,6 +31,15 @@ const NOTHING := -1
 
 ## Seconds since the start. Read it; [method EventWorld.advance] changes it.
 var time := 0.0
+## x and y of all balls' centres as of the [member EventWorld.moment] last set, in pixels, one after
+## the other. It stays one array, however many balls come or go: a caller holds it once and reads it
+## after each moment, without a call. Read it; what is written into it lasts until the next moment.
+## A place without a ball holds where the ball was when it was removed.
+var places: PackedFloat64Array:
+	get:
+		return _places
+	set(_value):
+		Refusal.push("The places of an EventWorld are read only; change_ball moves a ball.")
 ## Impacts so far, of balls with anything.
 var impacts := 0
 ## More impacts than this within one second of the world are refused by [method EventWorld.advance]:
@@ -60,6 +72,8 @@ var _count_from := 0.0
 var _counted_impacts := 0
 # No event is earlier than this, in seconds; -INF where that has to be looked up.
 var _quiet_until := -INF
+# Whether balls, segments, walls, gravity or bounciness have been changed since time last passed.
+var _has_changed := false
 # The number of changes of segments, walls, gravity and bounciness; a snapshot notes it.
 var _contents := 0
 
@@ -88,6 +102,8 @@ var _bounciness := 1.0
 var _is_there: PackedByteArray = []
 # How many there are.
 var _balls_there := 0
+# Whether there is one, no segment and no gravity: it can meet only walls, in straight flight.
+var _is_alone := false
 # Pixels.
 var _radius: PackedFloat64Array = []
 var _mass: PackedFloat64Array = []
@@ -109,6 +125,22 @@ var _velocity_y: PackedFloat64Array = []
 # that lies or slides, the mean one of a piece of the circle for a ball that goes over a cap.
 var _pull_x: PackedFloat64Array = []
 var _pull_y: PackedFloat64Array = []
+
+#endregion
+
+#region What EventWorld.moment has found. EventWorld writes it.
+
+# See [member places]. It is never assigned anew, because callers hold it.
+var _places: PackedFloat64Array = []
+# The flight of the only ball, which nothing pulls, noted in numbers of their own: reading these is
+# faster than reading arrays. It is so until this time, in seconds; -INF where nothing is noted.
+var _lone_until := -INF
+var _lone_start := 0.0
+var _lone_start_low := 0.0
+var _lone_x := 0.0
+var _lone_y := 0.0
+var _lone_velocity_x := 0.0
+var _lone_velocity_y := 0.0
 
 #endregion
 
@@ -135,6 +167,8 @@ var _lasting_speed: PackedFloat64Array = []
 var _last_meeting: PackedFloat64Array = []
 # The ways of the balls over caps.
 var _rolls := CapRolls.new()
+# Which balls lie in piles.
+var _piles := BallPiles.new(_is_there, _radius, _velocity_x, _velocity_y, _support)
 
 #endregion
 
@@ -157,7 +191,9 @@ var _cross_time: PackedFloat64Array = []
 # For each ball the earlier one of its event and its crossing; the earliest of all comes first.
 var _queue := EventQueue.new()
 # Which balls are near a ball. EventWorld lays the cells out.
-var _cells := BallCells.new()
+var _cells := CrowdCells.new(
+	_x, _y, _velocity_x, _velocity_y, _start, _start_low, _radius, _event_time, _cross_time
+)
 # Whether there are enough balls for cells. EventWorld writes it.
 var _uses_cells := false
 
@@ -179,6 +215,7 @@ var _seconds := INF
 var _surface := NOTHING
 var _kind: int = TOUCH
 var _accelerated := AcceleratedImpactFinder.new()
+var _pulled_meeting := PulledMeeting.new()
 # The ball that looks for a partner, as it is now (pixels, seconds), and what it has found.
 var _asker := 0
 var _asker_x := 0.0
@@ -219,19 +256,13 @@ func position_y(index: int) -> float:
 
 
 ## x and y of all balls' centres now, in pixels, one after the other in a new array: a picture of
-## many balls needs no call for each. Places without a ball hold what was there last.
+## many balls needs no call for each. Places without a ball hold what was there last. See
+## [member places] for what is asked each frame.
 func positions() -> PackedFloat64Array:
-	var places: PackedFloat64Array = []
-	places.resize(2 * _x.size())
-	for index in _x.size():
-		var seconds := (time - _start[index]) + (_time_low - _start_low[index])
-		places[2 * index] = (
-			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
-		)
-		places[2 * index + 1] = (
-			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
-		)
-	return places
+	var found: PackedFloat64Array = []
+	found.resize(2 * _x.size())
+	_write_places(found)
+	return found
 
 
 ## A ball's centre now, in pixels.
@@ -281,9 +312,31 @@ func energy() -> float:
 	return sum
 
 
-## Whether a ball lies or slides on a segment or a wall.
+## Whether a ball lies or slides on a segment or a wall. After a change of the world this is false
+## until time passes, be it 0 s.
 func is_resting(index: int) -> bool:
-	return _support[index] != NOTHING and time >= _start[index]
+	return not _has_changed and _support[index] != NOTHING and time >= _start[index]
+
+
+# Writes x and y of all balls' centres now into this array.
+func _write_places(into: PackedFloat64Array) -> void:
+	var place := 0
+	for index in _x.size():
+		var seconds := (time - _start[index]) + (_time_low - _start_low[index])
+		into[place] = (_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds)
+		into[place + 1] = (
+			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+		)
+		place += 2
+
+
+# A ball that is removed stays where it is now.
+func _halt(index: int) -> void:
+	_restart(index)
+	_rolled_end[index] = Impact.Feature.LINE
+	for motion: PackedFloat64Array in [_velocity_x, _velocity_y, _pull_x, _pull_y]:
+		motion[index] = 0.0
+	_lone_until = -INF
 
 
 # Begins a new flight of a ball where it is now.
@@ -302,8 +355,7 @@ func _restart(index: int) -> void:
 	_start_low[index] = _time_low
 
 
-# The flight that stands for a piece of the way over a cap follows it closely in place, but not in
-# speed.
+# The flight for a piece of the way over a cap follows it closely in place, but not in speed.
 func _find_velocity_on_cap(index: int) -> void:
 	_rolls.move_to(index, _rolls.seconds_since(index, time, _time_low))
 
@@ -346,6 +398,17 @@ func _is_weightless() -> bool:
 func _set_uses_grid(value: bool) -> void:
 	uses_grid = value
 	_segments = SegmentGrid.new() if value else SegmentScan.new()
+
+
+# All arrays that change while balls move, for snapshots.
+func _all_arrays() -> Array:
+	var arrays: Array = [_is_there, _queue.times, _queue.lows]
+	arrays.append_array(_float_arrays())
+	arrays.append_array(_int_arrays())
+	arrays.append_array(_rolls.arrays())
+	arrays.append_array(_piles.arrays())
+	arrays.append_array(_cells.arrays())
+	return arrays
 
 
 # The arrays with a number for each ball, beside _is_there and without those of the collaborators.

@@ -7,10 +7,9 @@ extends BounceLaws
 ##
 ## Segments work from both sides and have round ends, their caps; balls collide with each other; one
 ## gravity and one bounciness hold for all. This file holds what a user of the world calls: putting
-## things in, changing and removing them while time goes on, letting time pass. Predictions are made
-## anew only for what a change touches. Where a ball is now is answered by [EventState], which holds
-## all fields; [EventForecast] predicts, [BallSupport] and [BounceLaws] say what an event does. The
-## page docs/event_world.md tells where each law is.
+## things in, changing and removing them while time goes on, letting time pass. After a change the
+## world is as one that is built now: all flights begin anew, what overlaps is pushed out. Where a
+## ball is now is answered by [EventState]; docs/event_world.md tells where each law is.
 ##
 ## What cannot be taken is refused: each such method returns "" or one sentence with the value and
 ## what is allowed, and then nothing has changed.
@@ -22,27 +21,43 @@ const LARGEST := WorldLimits.LARGEST
 # From this number of balls on, each looks for partners only around its own cell.
 const _MANY_BALLS := 16
 
+## The moment at which the world stands, in seconds. To set it lets time pass as
+## [method advance_to] does, and puts all centres into [member EventState.places]: what a game asks
+## each frame. A moment in the past, beyond 1e15 s or NAN pushes an error, and nothing changes;
+## too many impacts push one, too, and moment tells where the world has stopped.
+var moment: float:
+	get:
+		return time
+	set(value):
+		if value < _lone_until and value >= time:
+			time = value
+			_time_low = 0.0
+			var seconds := (value - _lone_start) - _lone_start_low
+			_places[0] = _lone_x + _lone_velocity_x * seconds
+			_places[1] = _lone_y + _lone_velocity_y * seconds
+		else:
+			_go_to_moment(value)
+
 
 ## Balls keep inside this upright box from now on: its corners at the upper left and lower right.
 func set_walls(low: Vec2, high: Vec2) -> String:
 	var problem := WorldLimits.problem_of_walls(low, high)
 	if problem:
 		return problem
-	_contents += 1
 	_has_walls = true
 	_left_x = low.x
 	_top_y = low.y
 	_right_x = high.x
 	_bottom_y = high.y
-	_begin_anew()
+	_change_contents()
+	_push_out_all()
 	return ""
 
 
 ## Takes the walls away.
 func remove_walls() -> void:
-	_contents += 1
 	_has_walls = false
-	_begin_anew()
+	_change_contents()
 
 
 ## Takes this gravity from now on, in px/s^2.
@@ -50,11 +65,9 @@ func set_gravity(gravity: Vec2) -> String:
 	var problem := FreeFlight.problem_of_gravity(gravity, LARGEST)
 	if problem:
 		return problem
-	_contents += 1
 	_gravity_x = gravity.x
 	_gravity_y = gravity.y
-	_lasting_speed.fill(NAN)
-	_begin_anew()
+	_change_contents()
 	return ""
 
 
@@ -64,7 +77,7 @@ func set_bounciness(bounciness: float) -> String:
 	if problem:
 		return problem
 	_bounciness = bounciness
-	_contents += 1
+	_change_contents()
 	return ""
 
 
@@ -84,11 +97,11 @@ func set_segments(new_segments: Array[LineSegment]) -> String:
 		var problem := new_segment.problem(LARGEST)
 		if problem:
 			return problem
-	_contents += 1
 	_set_uses_grid(uses_grid)
 	for place in new_segments.size():
 		_segments.put(place, new_segments[place])
-	_begin_anew()
+	_change_contents()
+	_push_out_all()
 	return ""
 
 
@@ -96,22 +109,22 @@ func set_segments(new_segments: Array[LineSegment]) -> String:
 func add_segment(new_segment: LineSegment) -> String:
 	var problem := new_segment.problem(LARGEST)
 	if not problem:
-		_contents += 1
 		_segments.put(_segments.size(), new_segment)
-		_meet_new_segment(_segments.size() - 1)
+		_change_contents()
+		_push_out_of(_segments.size() - 1)
 	return problem
 
 
-## Moves the segment at that place.
+## Moves the segment at that place. A ball that lies on it stays on its side.
 func move_segment(place: int, new_segment: LineSegment) -> String:
 	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
 	if not problem:
 		problem = new_segment.problem(LARGEST)
 	if not problem:
-		_contents += 1
+		var sides := _sides_of_touching(place, new_segment)
 		_segments.put(place, new_segment)
-		_lose_segment(place)
-		_meet_new_segment(place)
+		_change_contents()
+		_push_out_of(place, sides)
 	return problem
 
 
@@ -119,35 +132,32 @@ func move_segment(place: int, new_segment: LineSegment) -> String:
 func remove_segment(place: int) -> String:
 	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
 	if not problem:
-		_contents += 1
 		_segments.remove(place)
-		_lose_segment(place)
+		_change_contents()
 	return problem
 
 
-## Takes copies of these balls in place of the old ones. The time goes on.
+## Takes copies of these balls in place of the old ones. The time goes on. A ball that overlaps a
+## segment at its start is not pushed out.
 func set_balls(new_balls: Array[Ball]) -> String:
 	for new_ball in new_balls:
 		var problem := new_ball.problem(LARGEST)
 		if problem:
 			return problem
-	for index in ball_count():
-		_is_there[index] = 0
+	_is_there.fill(0)
 	_resize_places(new_balls.size())
 	for index in new_balls.size():
 		_put_ball(index, new_balls[index])
-	_lay_out_cells()
-	_begin_anew()
 	return ""
 
 
-## Adds a ball; its place is the old [method ball_count].
+## Adds a ball; its place is the old [method ball_count]. If it overlaps a segment at its start, it
+## is not pushed out.
 func add_ball(new_ball: Ball) -> String:
 	var problem := new_ball.problem(LARGEST)
 	if not problem:
 		_resize_places(ball_count() + 1)
 		_put_ball(ball_count() - 1, new_ball)
-		_join(ball_count() - 1)
 	return problem
 
 
@@ -157,9 +167,8 @@ func change_ball(index: int, new_ball: Ball) -> String:
 	if not problem:
 		problem = new_ball.problem(LARGEST)
 	if not problem:
-		_release_partner(index)
 		_put_ball(index, new_ball)
-		_join(index)
+		_push_out(index, {})
 	return problem
 
 
@@ -167,13 +176,10 @@ func change_ball(index: int, new_ball: Ball) -> String:
 func remove_ball(index: int) -> String:
 	var problem := WorldLimits.problem_of_place(index, has_ball(index), "ball")
 	if not problem:
-		_release_partner(index)
+		_halt(index)
 		_is_there[index] = 0
-		_balls_there -= 1
-		if _uses_cells:
-			_cells.remove(index)
-			_cross_time[index] = INF
-		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
+		_support[index] = NOTHING
+		_change()
 	return problem
 
 
@@ -205,6 +211,8 @@ func advance_to(target: float) -> String:
 ## When something happens next, in seconds; INF if nothing ever does. That may be an impact, or only
 ## that a ball has to look for others again.
 func next_event_time() -> float:
+	if _has_changed:
+		_begin_anew()
 	return _queue.first_time
 
 
@@ -216,7 +224,7 @@ func advance_to_next_event() -> String:
 	keeps_events = true
 	var problem := ""
 	while _log.events.size() == before and not problem:
-		if _queue.first_time == INF:
+		if next_event_time() == INF or _event_time.count(INF) == ball_count():
 			problem = "Nothing happens any more after %s s." % time
 		else:
 			problem = _advance_to(_queue.first_time, _queue.first_low)
@@ -228,6 +236,8 @@ func advance_to_next_event() -> String:
 
 ## Everything that moves, as it is now.
 func snapshot() -> WorldSnapshot:
+	if _has_changed:
+		_begin_anew()
 	var kept := WorldSnapshot.new()
 	kept.time = time
 	kept.time_low = _time_low
@@ -248,35 +258,52 @@ func snapshot() -> WorldSnapshot:
 func restore(kept: WorldSnapshot) -> String:
 	if kept.contents != _contents:
 		return "The snapshot of %s s was taken among other segments, walls or pulls." % kept.time
+	_has_changed = false
 	time = kept.time
 	_time_low = kept.time_low
 	impacts = kept.impacts
-	_count_from = kept.count_from
-	_counted_impacts = kept.counted_impacts
 	_uses_cells = kept.uses_cells
 	_cells.take_layout(kept.cell_size, kept.cell_columns)
 	kept.put_into(_all_arrays())
 	_rolls.slides = kept.slides.duplicate()
-	_quiet_until = -INF
+	_places.resize(2 * ball_count())
 	_queue.resize(ball_count())
 	_balls_there = _is_there.count(1)
+	_is_alone = _balls_there == 1 and _segments.size() == 0 and _is_weightless()
+	_count_again()
+	_count_from = kept.count_from
+	_counted_impacts = kept.counted_impacts
 	return ""
 
 
-func _count_again() -> void:
-	_quiet_until = -INF
-	_count_from = time
-	_counted_impacts = impacts
+# After a change of balls: all is predicted anew before time passes.
+func _change() -> void:
+	_has_changed = true
+	_count_again()
 
 
-# All flights begin now, and everything is predicted anew.
+# After a change of segments, walls, gravity or bounciness.
+func _change_contents() -> void:
+	_contents += 1
+	_change()
+
+
+# All flights begin now, from places and velocities alone, as in a world that is built now.
 func _begin_anew() -> void:
+	_has_changed = false
+	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
 	_count_again()
 	for index in ball_count():
 		if _is_there[index] == 1:
 			_restart(index)
 			_set_free(index)
-			_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
+			_last_meeting[index] = -INF
+			_piles.forget(index, time)
+			_lasting_speed[index] = NAN
+	_lay_out_cells()
+	_is_alone = _balls_there == 1 and _segments.size() == 0 and _is_weightless()
+	for index in ball_count():
+		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 	for index in ball_count():
 		if _is_there[index] == 1:
 			_forecast(index)
@@ -289,11 +316,14 @@ func _resize_places(count: int) -> void:
 	for numbers: PackedInt32Array in _int_arrays():
 		numbers.resize(count)
 	_is_there.resize(count)
+	_places.resize(2 * count)
 	_rolls.resize(count)
+	_piles.resize(count)
 	_queue.resize(count)
 	for index in range(old, count):
 		_is_there[index] = 0
-		_event_kind[index] = LOOK_AGAIN
+		_support[index] = NOTHING
+	_change()
 
 
 func _put_ball(index: int, new_ball: Ball) -> void:
@@ -306,84 +336,107 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start[index] = time
 	_start_low[index] = _time_low
 	_set_free(index)
-	_last_meeting[index] = -INF
-	_lasting_speed[index] = NAN
-	if _is_there[index] == 0:
-		_is_there[index] = 1
-		_balls_there += 1
-
-
-# A ball that is new, or has been changed, is entered among the others.
-func _join(index: int) -> void:
-	_count_again()
-	if _uses_cells != (_balls_there >= _MANY_BALLS) or 2.0 * _radius[index] > _cells.size:
-		_lay_out_cells()
-		_begin_anew()
-		return
-	if _uses_cells:
-		_cells.make_room(ball_count())
-		_cells.remove(index)
-		_cells.put(index, _x[index], _y[index])
-	_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
-	_forecast(index)
+	_is_there[index] = 1
+	_change()
 
 
 func _lay_out_cells() -> void:
 	_balls_there = _is_there.count(1)
 	_uses_cells = _balls_there >= _MANY_BALLS
+	_cross_time.fill(INF)
 	if _uses_cells:
-		_cells.lay_out(BallCells.size_for(positions(), _radius, _is_there), ball_count())
+		var size := BallCells.size_for(positions(), _radius, _is_there)
+		# Removed balls count for nothing: the world is as one without them.
+		_cells.lay_out(size, _balls_there)
+		_cells.make_room(ball_count())
 		for index in ball_count():
 			if _is_there[index] == 1:
-				_cells.put(index, position_x(index), position_y(index))
+				_cells.put(index, _x[index], _y[index])
 
 
-# Balls that touch the segment at that place next, or lie on it, begin a new flight.
-func _lose_segment(place: int) -> void:
-	_count_again()
+# Pushes every ball out of what it overlaps.
+func _push_out_all() -> void:
 	for index in ball_count():
-		if _is_there[index] == 1 and place in [_touched[index], _support[index]]:
-			_release_partner(index)
-			_restart(index)
-			_set_free(index)
-			_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
-			_forecast(index)
+		if _is_there[index] == 1:
+			_push_out(index, {})
 
 
-# Only balls that would meet the new segment before anything else begin a new flight.
-func _meet_new_segment(place: int) -> void:
-	_count_again()
+# Pushes the balls out of the segment at that place. A ball with a side of the segment in `sides`
+# belongs there.
+func _push_out_of(place: int, sides: Dictionary[int, float] = {}) -> void:
 	for index in ball_count():
-		if _is_there[index] == 1 and _meets_first(index, place):
-			_release_partner(index)
-			_restart(index)
-			_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
-			_forecast(index)
+		if _is_there[index] == 1:
+			var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
+			if gap < _radius[index] or sides.has(index):
+				var side: float = sides.get(index, 0.0)
+				_push_out(index, {place: side})
 
 
-func _meets_first(index: int, place: int) -> bool:
-	var now := ball(index)
-	var ends := _segments.segment(place)
-	_accelerated.set_flight(
-		now.position.x,
-		now.position.y,
-		now.velocity.x,
-		now.velocity.y,
-		_pull_x[index],
-		_pull_y[index],
-		now.radius
-	)
-	var horizon := _touch_time[index] - time
-	return _accelerated.with_segment(ends.start.x, ends.start.y, ends.end.x, ends.end.y, horizon)
+# For each ball that touches the line of the segment at that place: on which side of the new one,
+# which is to replace it, it belongs.
+func _sides_of_touching(place: int, new_segment: LineSegment) -> Dictionary[int, float]:
+	var sides: Dictionary[int, float] = {}
+	var old := _segments.segment(place)
+	for index in ball_count():
+		if _is_there[index] == 1:
+			var side := PushOut.side_touched(old, position(index), _radius[index] + REST_GAP)
+			if side != 0.0:
+				sides[index] = PushOut.side_after(side, old, new_segment)
+	return sides
+
+
+# Pushes a ball out of what it overlaps: see PushOut. `sides` says on which side of a segment the
+# ball belongs, where that is not the side of its centre.
+func _push_out(index: int, sides: Dictionary[int, float]) -> void:
+	var from := position(index)
+	var push := PushOut.new(from, _radius[index], SegmentEnds.seam_at(from.x, from.y))
+	for place: int in sides:
+		push.add_line(_segments.segment(place), sides[place])
+	for place in _segments.places_within(from.x, from.y, 3.0 * _radius[index]):
+		if not sides.has(place):
+			push.add_line(_segments.segment(place))
+	if _has_walls:
+		push.add_walls(Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y))
+	var to := push.position()
+	if to.x != from.x or to.y != from.y:
+		_restart(index)
+		_set_free(index)
+		_x[index] = to.x
+		_y[index] = to.y
+		if to.distance_to(from) > _radius[index]:
+			# What was far away may be in the way now.
+			_push_out(index, {})
 
 
 # Apart from [method advance], because a function with fewer variables is called faster.
 func _advance_through_events(seconds: float) -> String:
 	if not (seconds >= 0.0 and seconds <= LARGEST):
 		return "The world can advance by 0 to 1e15 s, not by %s." % seconds
+	if _has_changed:
+		_begin_anew()
 	var step := seconds + _time_low
 	var target := time + step
 	return _advance_to(target, step - (target - time))
+
+
+# Where an event comes first, or the flight of a lone ball is not noted.
+func _go_to_moment(target: float) -> void:
+	if not (target >= time and target <= LARGEST):
+		Refusal.push(_advance_to_event(target))
+		return
+	if _has_changed:
+		_begin_anew()
+	Refusal.push(_advance_to(target, 0.0))
+	_write_places(_places)
+	if _x.size() != 1 or _pull_x[0] != 0.0 or _pull_y[0] != 0.0:
+		return
+	_lone_until = _quiet_until
+	_lone_start = _start[0]
+	_lone_start_low = _start_low[0]
+	_lone_x = _x[0]
+	_lone_y = _y[0]
+	_lone_velocity_x = _velocity_x[0]
+	_lone_velocity_y = _velocity_y[0]
 
 
 func _advance_to_event(target: float) -> String:
@@ -392,51 +445,6 @@ func _advance_to_event(target: float) -> String:
 			"The world stands at %s s and can advance to at most 1e15 s, not to %s."
 			% [time, target]
 		)
+	if _has_changed:
+		_begin_anew()
 	return _advance_to(target, 0.0)
-
-
-func _advance_to(target: float, low: float) -> String:
-	var queue := _queue
-	var is_weightless := _gravity_x == 0.0 and _gravity_y == 0.0
-	var may_hurry := is_weightless and not keeps_events and not _uses_cells
-	while queue.first_time <= target:
-		# An event within the last place of the target is still to come: if it happened now, a fast
-		# ball would be seen beyond what it bounces off.
-		if queue.first_time == target and queue.first_low > low:
-			break
-		time = queue.first_time
-		_time_low = queue.first_low
-		var index := queue.first
-		if may_hurry and _event_kind[index] == TOUCH and _touched[index] < NOTHING:
-			_bounce_off_wall_fast(index)
-		else:
-			_happen(index)
-		if impacts - _counted_impacts > most_impacts_per_second:
-			var problem := _problem_of_count()
-			if problem:
-				return problem
-	time = target
-	_time_low = low
-	_quiet_until = _queue.first_time
-	return ""
-
-
-# A new second begins where the old one is over; within one there are too many.
-func _problem_of_count() -> String:
-	if time >= _count_from + 1.0:
-		_count_again()
-		return ""
-	return (
-		"There are more than %d impacts within a second at %s s: the world stops there."
-		% [most_impacts_per_second, time]
-	)
-
-
-# All arrays that change while balls move, for snapshots.
-func _all_arrays() -> Array:
-	var arrays: Array = [_is_there, _queue.times, _queue.lows]
-	arrays.append_array(_float_arrays())
-	arrays.append_array(_int_arrays())
-	arrays.append_array(_rolls.arrays())
-	arrays.append_array(_cells.arrays())
-	return arrays

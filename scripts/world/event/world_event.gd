@@ -12,7 +12,8 @@ var time := 0.0
 var ball := -1
 ## What happened.
 var kind := Kind.SEGMENT
-## The index of the segment, of the wall (0 left, 1 right, 2 top, 3 bottom) or of the other ball.
+## The index of the segment, of the wall (0 left, 1 right, 2 top, 3 bottom) or of the other ball; -1
+## for rest in a pile.
 var other := -1
 ## Where both touch, in pixels.
 var point: Vec2

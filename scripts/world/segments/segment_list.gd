@@ -81,6 +81,19 @@ func nearest_point(place: int, x: float, y: float) -> Vec2:
 	)
 
 
+## What of the segment at that place is nearest to a point: its line or one of its ends.
+func nearest_feature(place: int, x: float, y: float) -> Impact.Feature:
+	var share := share_of(place, x, y)
+	if share < 0.0:
+		return Impact.Feature.START
+	return Impact.Feature.END if share > 1.0 else Impact.Feature.LINE
+
+
+## Distance in pixels of a point from the segment at that place, with its ends.
+func distance_to_segment(place: int, x: float, y: float) -> float:
+	return nearest_point(place, x, y).distance_to(Vec2.new(x, y))
+
+
 ## Distance in pixels of a point from the line of the segment at that place, positive on the side of
 ## its normal.
 func signed_distance(place: int, x: float, y: float) -> float:
@@ -97,6 +110,19 @@ func normal_x(place: int) -> float:
 ## y of the unit normal of the segment at that place.
 func normal_y(place: int) -> float:
 	return (_end_x[place] - _start_x[place]) / _length[place]
+
+
+## The places of the segments that are no farther than [param reach] pixels from a point, in their
+## order.
+func places_within(x: float, y: float, reach: float) -> PackedInt32Array:
+	var places: PackedInt32Array = []
+	for place in size():
+		if _is_there[place] == 1:
+			if maxf(_start_x[place], _end_x[place]) >= x - reach:
+				if minf(_start_x[place], _end_x[place]) <= x + reach:
+					if distance_to_segment(place, x, y) <= reach:
+						places.append(place)
+	return places
 
 
 ## The places of the segments that a ball at this point might touch, in their order.

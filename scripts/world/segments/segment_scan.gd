@@ -287,7 +287,8 @@ func _take(place: int, seconds: float, of: Impact.Feature) -> void:
 
 # A ball that touches a segment, hardly moves along its normal and is pulled into it meets it at
 # once, or when it has fallen back to where it is: it was never clear of the segment, and must not
-# sink into it. Gap, approach and pull are multiplied by the length of the segment.
+# sink into it. A ball that is put down inside a segment lies on it, too. Gap, approach and pull are
+# multiplied by the length of the segment.
 func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var share := share_of(place, _x, _y)
 	var is_over := share >= 0.0 and share <= 1.0
@@ -296,7 +297,7 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 		return false
 	if is_over or _comes_over(place, share):
 		var slack := _slack * _length[place]
-		if gap >= -slack and _is_held(approach, pull, slack):
+		if (gap >= -slack or _contact == Contact.NONE) and _is_held(approach, pull, slack):
 			_take(place, 2.0 * maxf(-approach, 0.0) / pull, Impact.Feature.LINE)
 			return true
 	if is_over or skips_cap:
@@ -305,7 +306,8 @@ func _lies_on(place: int, gap: float, approach: float, pull: float) -> bool:
 	var dx := _x - end_x(place, of)
 	var dy := _y - end_y(place, of)
 	var distance := sqrt(dx * dx + dy * dy)
-	if absf(distance - _radius) > _slack:
+	var depth := _radius - distance
+	if depth < -_slack or (depth > _slack and _contact != Contact.NONE):
 		return false
 	var speed := -(_velocity_x * dx + _velocity_y * dy) / distance
 	# Around a point there is the centrifugal acceleration, too.

@@ -20,6 +20,12 @@ func for_copy() -> BallMover:
 	return self
 
 
+## Whether a ball is pushed out of a line that was changed, before it moves on: the rule of overlap
+## of lines with ends, see [PushOut].
+func pushes_out() -> bool:
+	return true
+
+
 ## Moves the ball along its free flight, without looking for lines.
 func fly(ball: Ball, seconds: float, gravity: Vec2) -> void:
 	ball.position.add(FreeFlight.motion(ball.velocity, gravity, seconds))

@@ -52,10 +52,15 @@ func leave(ball: Ball, impact: Impact, has_bounced: bool, surroundings: Surround
 		_lie_on(ball, impact)
 	elif has_bounced or _support < 0:
 		_fly_freely()
-		_hop(ball, impact)
+		_hop(ball, impact, has_bounced)
 	else:
 		skipped = [_support]
-		_hop(ball, impact)
+		_hop(ball, impact, has_bounced)
+
+
+## Whether the ball lies on a line in this part.
+func lies() -> bool:
+	return _support >= 0
 
 
 ## Seconds until gravity brings a ball back to the line that it leaves: 2 v / g along the normal.
@@ -75,11 +80,12 @@ func _fly_freely() -> void:
 
 
 # The way back to the line is curved, so a straight way over the whole part would miss the line. The
-# part ends when the ball is back.
-func _hop(ball: Ball, impact: Impact) -> void:
+# part ends when the ball is back. A ball that only passes along the line, as along an upright one,
+# does not meet it again.
+func _hop(ball: Ball, impact: Impact, has_bounced: bool) -> void:
 	var hop := hop_seconds(ball.velocity, impact.normal, pull)
 	seconds = minf(hop, left)
-	if hop < left:
+	if hop < left or not has_bounced:
 		skipped.append_array(_passed)
 
 

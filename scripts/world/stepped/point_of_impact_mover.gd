@@ -3,8 +3,10 @@ extends BallMover
 ## Part 13 of the lecture as most people write it: the ball goes to the first point of impact and
 ## bounces, and the frame ends there.
 ##
-## The rest of the frame is lost. The ball waits while gravity still acts, so it loses energy, and
-## each bounce makes it late.
+## The rest of the frame is lost: the ball waits while gravity still acts. So each bounce makes it
+## late, and a ball that flies from bounce to bounce loses energy. A ball that touches a line at the
+## start of each frame does not move at all, while gravity adds to its speed. So its energy grows,
+## and it shoots off when the line is taken away.
 
 
 ## See [method BallMover.move].

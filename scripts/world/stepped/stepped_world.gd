@@ -12,6 +12,10 @@ const REACH := 800.0
 ## The longest step, in seconds.
 const LONGEST_STEP := 1.0
 
+# A ball overlaps a line where it is deeper in it than this, in pixels.
+const _TOUCH := 1e-6
+# A ball this near to a line, in pixels, lies on it: in the simple ways a resting ball makes hops.
+const _NEAR := 0.1
 const _NUMBERS_IN_FRONT := 3
 const _NUMBERS_PER_BALL := 5
 
@@ -37,6 +41,10 @@ var mover: BallMover
 var _is_still: PackedByteArray = []
 # The step length, surroundings and mover for which that holds.
 var _frame_kind: Array = []
+# The surroundings that the balls have been pushed out of, and their number of changes; null at the
+# start, where no ball is pushed out.
+var _known: Surroundings
+var _known_changes := 0
 
 
 ## An empty world whose balls are moved by [param with_mover], such as a [WholeFrameMover].
@@ -56,6 +64,7 @@ func set_balls(new_balls: Array[Ball]) -> String:
 	is_lost.resize(balls.size())
 	is_lost.fill(0)
 	_wake()
+	_known = null
 	frames = 0
 	bounces = 0
 	losses = 0
@@ -72,6 +81,7 @@ func step(seconds: float) -> String:
 		return "A step must last above 0 and at most 1 s, not %s." % seconds
 	frames += 1
 	latest_bounces.clear()
+	push_out_balls()
 	_wake_where_changed(seconds)
 	var refusal := ""
 	for i in balls.size():
@@ -88,7 +98,22 @@ func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
 	var problem := _problem_of(changed)
 	if not problem:
 		bring_back(index, changed)
+		_push_out(index)
 	return problem
+
+
+## Pushes balls out of the lines that were changed since the last time: the rule of overlap of all
+## ways of stepping that know ends of lines, see [PushOut]. A ball that lay on a line stays on its
+## side. A ball that overlaps a line at its start is left there. [method step] does this first.
+func push_out_balls() -> void:
+	if _known and _known_changes == surroundings.changes:
+		return
+	if _known:
+		for index in balls.size():
+			if is_lost[index] == 0:
+				_push_out(index)
+	_known = surroundings.copy()
+	_known_changes = surroundings.changes
 
 
 ## Replaces a lost ball by a copy of [param ball], which is in play.
@@ -200,6 +225,28 @@ func _move(index: int, seconds: float) -> void:
 	if not reaches(ball.position):
 		is_lost[index] = 1
 		losses += 1
+
+
+func _push_out(index: int) -> void:
+	if not mover.pushes_out():
+		return
+	var ball := balls[index]
+	var here := Vec2.zero()
+	var touched: PackedInt32Array = []
+	# Where a line has come or gone, it is not known which is which.
+	if _known and _known.segments.size() == surroundings.segments.size():
+		touched = _known.near_segments(ball.position, here, ball.radius + _NEAR)
+	if touched or surroundings.near_segments(ball.position, here, ball.radius):
+		var push := PushOut.new(ball.position, ball.radius, _TOUCH)
+		for place in surroundings.segments.size():
+			var line := surroundings.segments[place]
+			var side := 0.0
+			if place in touched:
+				var old := _known.segments[place]
+				side = PushOut.side_touched(old, ball.position, ball.radius + _NEAR)
+				side = PushOut.side_after(side, old, line)
+			push.add_line(line, side)
+		ball.position = push.position()
 
 
 func _wake() -> void:

@@ -76,7 +76,7 @@ func first_impact(ball: Ball, motion: Vec2, skipped: PackedInt32Array = []) -> I
 	var candidates: Array[LineSegment] = []
 	for index in near:
 		candidates.append(segments[index])
-	var impact := EarliestImpact.among(ball.position, motion, ball.radius, candidates)
+	var impact := SegmentImpact.with_segments(ball.position, motion, ball.radius, candidates)
 	if impact.hit:
 		impact.segment_index = near[impact.segment_index]
 	return impact

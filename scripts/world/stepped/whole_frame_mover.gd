@@ -39,9 +39,20 @@ func move_under(
 			part.leave(ball, impact, bounces.size() > count, surroundings)
 		else:
 			fly(ball, part.seconds, part.pull)
+			if part.lies():
+				_lift(ball, surroundings)
 			part.pass_by()
 		if part.left <= 0.0:
 			return
+
+
+# A ball that slides over a joint may sink into the next line by some 1e-8 px, where this rises so
+# little that rounding hides the touch.
+func _lift(ball: Ball, surroundings: Surroundings) -> void:
+	var push := PushOut.new(ball.position, ball.radius, Surroundings.FLUSH)
+	for index in surroundings.near_segments(ball.position, Vec2.zero(), ball.radius):
+		push.add_line(surroundings.segments[index])
+	ball.position = push.position()
 
 
 ## The first impact in this part of the frame, without the segments with the indices

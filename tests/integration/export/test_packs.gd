@@ -2,18 +2,31 @@ extends LabTest
 ## The real packs of three demos, exported here: the lab, the smallest and a large lesson. `./lab
 ## needs` does the same with all of them.
 
+const CollectTexts := preload("res://tools/texts/collect_texts.gd")
 const CompiledScript := preload("res://tools/export/compiled_script.gd")
 const Pack := preload("res://tools/export/pack.gd")
 const PackRules := preload("res://tools/export/pack_rules.gd")
+const Presets := preload("res://tools/export/presets.gd")
 const WrittenCode := preload("res://tools/export/written_code.gd")
 
 const _FOLDER := "res://build/test/packs"
 const _DEMOS: PackedStringArray = ["lab", "dot_product", "angled_lines"]
+const _CALLER := """
+extends SceneTree
+func _init() -> void:
+	(load("res://scripts/vec2.gd") as Script).call("unit_radians", 1.0).divided(0.0)
+	quit()
+"""
+
+const _LANGUAGE := "user://language_in_test.res"
 
 var _packs: Dictionary[String, Pack] = {}
 
 
+# An export drops missing files from the presets and saves them: put back, so that the test of the
+# presets, which runs later, still sees what is committed.
 func before_all() -> void:
+	var presets := FileAccess.get_file_as_string(Presets.FILE)
 	DirAccess.make_dir_recursive_absolute(_FOLDER)
 	for demo: String in _DEMOS:
 		DirAccess.remove_absolute(_path_of(demo))
@@ -21,6 +34,7 @@ func before_all() -> void:
 		arguments.append_array(["--export-pack", "linux " + demo, _path_of(demo)])
 		OS.execute(OS.get_executable_path(), arguments)
 		_packs[demo] = Pack.new(_path_of(demo))
+	FileAccess.open(Presets.FILE, FileAccess.WRITE).store_string(presets)
 
 
 func test_every_pack_keeps_the_rules() -> void:
@@ -42,6 +56,24 @@ func test_no_pack_holds_or_names_tests_tools_documents_or_the_test_runner() -> v
 			lists += "res://%s\n" % file
 		for folder: String in ["addons", "tests", "tools", "docs", "benchmarks"]:
 			assert_false(lists.contains("res://%s/" % folder), "%s holds %s" % [demo, folder])
+
+
+func test_no_lesson_holds_a_word_of_the_workshop() -> void:
+	var all := CollectTexts.messages()
+	var of_workshop := all.keys().filter(
+		func(message: String) -> bool: return _is_of_workshop(all[message])
+	)
+	assert_gt(of_workshop.size(), 200)
+	assert_has(_texts_in("dot_product"), "The dot product", "texts are found in a pack")
+	for demo: String in ["dot_product", "angled_lines"]:
+		for message in _texts_in(demo):
+			assert_does_not_have(of_workshop, message, demo)
+
+
+func test_no_lesson_names_the_workshop() -> void:
+	for demo: String in ["dot_product", "angled_lines"]:
+		var settings := _packs[demo].bytes_of("project.binary").hex_encode()
+		assert_false(settings.contains("workshop".to_utf8_buffer().hex_encode()), demo)
 
 
 func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
@@ -81,8 +113,39 @@ func test_a_pack_alone_starts_without_a_word_of_an_error() -> void:
 		assert_eq(_first_error(str(said[0])), "", demo)
 
 
+# Most line numbers are left out of a pack, but not those that an error tells.
+func test_an_error_in_a_pack_tells_its_line() -> void:
+	var caller := _globalized(_FOLDER.path_join("caller.gd"))
+	FileAccess.open(caller, FileAccess.WRITE).store_string(_CALLER)
+	var said := []
+	var arguments: PackedStringArray = ["--headless", "--path", _globalized(_FOLDER)]
+	arguments.append_array(["--main-pack", _path_of("dot_product"), "-s", caller])
+	OS.execute(OS.get_executable_path(), arguments, said, true)
+	var code := FileAccess.get_file_as_string("res://scripts/vec2.gd")
+	var line := code.get_slice('push_error("Vec2.divided', 0).count("\n") + 1
+	assert_string_contains(str(said[0]), "divided (res://scripts/vec2.gd:%d)" % line)
+
+
 func _actions_in(demo: String) -> Array:
 	return InputActions.unpacked(_packs[demo].bytes_of("input_actions.bin")).keys()
+
+
+func _is_of_workshop(places: PackedStringArray) -> bool:
+	return Array(places).all(
+		func(place: String) -> bool:
+			return place.begins_with("workshop/") or place.begins_with("scenes/workshop/")
+	)
+
+
+# In a compiled language each text ends with a zero.
+# What the pack of a demo says in Dutch, by what it says in English.
+func _texts_in(demo: String) -> PackedStringArray:
+	var bytes := _packs[demo].bytes_of("assets/translations/nl.res")
+	FileAccess.open(_LANGUAGE, FileAccess.WRITE).store_buffer(bytes)
+	var mode := ResourceLoader.CACHE_MODE_IGNORE
+	var texts := (ResourceLoader.load(_LANGUAGE, "", mode) as Translation).get_message_list()
+	DirAccess.remove_absolute(_LANGUAGE)
+	return texts
 
 
 func _first_error(said: String) -> String:

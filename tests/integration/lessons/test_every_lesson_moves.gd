@@ -17,7 +17,6 @@ var _variables: Dictionary[Script, PackedStringArray] = {}
 
 func after_each() -> void:
 	OpeningMotion.is_allowed = false
-	DirAccess.remove_absolute(Motion.file)
 	await super()
 
 

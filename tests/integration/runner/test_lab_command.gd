@@ -106,6 +106,24 @@ func test_true_refuses_another_lesson_or_number() -> void:
 	assert_string_contains(lab.last_line(), "--states must be a whole number from 1 to 999999")
 
 
+func test_random_worlds_are_tried_for_the_time_and_of_the_kind_that_is_asked_for() -> void:
+	var lab := LabCommand.run(
+		"res://", ["stability", "--fuzz", "0.01", "--seed", "3", "whole_frame"]
+	)
+	assert_eq(lab.exit_code, 0, lab.output)
+	assert_string_starts_with(lab.last_line(), "seed 3: ")
+	assert_string_ends_with(lab.last_line(), " worlds tried, 0 with a problem")
+
+
+func test_random_worlds_of_no_kind_and_no_seed_are_refused() -> void:
+	var lab := LabCommand.run("res://", ["stability", "--fuzz", "0.01", "not_there"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "no kind of worlds has 'not_there' in its name")
+	lab = LabCommand.run("res://", ["stability", "--fuzz", "--seed", "0"])
+	assert_eq(lab.exit_code, 2)
+	assert_string_contains(lab.last_line(), "--seed must be a whole number from 1 to 999999")
+
+
 func test_an_unknown_option_of_stability_is_refused() -> void:
 	var lab := LabCommand.run("res://", ["stability", "--fast"])
 	assert_eq(lab.exit_code, 2)

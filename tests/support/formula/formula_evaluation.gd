@@ -60,7 +60,7 @@ func _number(node: FormulaNode) -> FormulaValue:
 	if is_nan(node.number):
 		problem = "NaN is shown"
 		return null
-	return FormulaValue.of(node.number, 0.0 if _is_exact else node.unit / 2.0)
+	return FormulaValue.of(node.number, 0.0 if _is_exact or node.is_exact else node.unit / 2.0)
 
 
 func _symbol(node: FormulaNode) -> FormulaValue:

@@ -32,10 +32,12 @@ var number := 0.0
 ## One unit of the last digit that a number could show with 4 digits, or of those it shows if more;
 ## 0 for 0.
 var unit := 0.0
+## The number is not rounded, such as π/2.
+var is_exact := false
 ## How many digits the number shows.
 var digits := 0
-## The remark `(rounding: 4e−16)` stands behind it.
-var is_rounding := false
+## The most that the remark `(rounding: 4e−16)` behind it can mean; 0 without one.
+var rounding := 0.0
 
 
 ## A part of [param its_kind], made of [param its_parts].

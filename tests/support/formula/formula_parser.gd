@@ -8,7 +8,7 @@ extends RefCounted
 ## row     = signed factor*                      side by side: a product
 ## signed  = "−" signed | factor
 ## factor  = atom ("²" | "°" | ".x" | ".y" | ".copy()")*
-## atom    = number | symbol | "(" sum ("," sum)* ")" | "|" sum "|"
+## atom    = number | share of pi | symbol | "(" sum ("," sum)* ")" | "|" sum "|"
 ##         | "√" factor | function factor
 ## [/codeblock]
 
@@ -18,8 +18,12 @@ const RELATIONS: PackedStringArray = ["=", "<", ">", "≤", "≥", "≈"]
 
 const _FUNCTIONS: PackedStringArray = ["Vec2.new", "atan2", "cos", "sin", "log", "int"]
 const _NUMBER := "\\d+(?:\\.\\d+)?(?:e[-−+]?\\d+)?"
+# A share of pi is one number, so that `cos π/2` is no half of a cosine.
+const _SHARE_OF_PI := "\\d*π(?:/\\d+)?"
 const _TOKEN := (
 	"\\(rounding: [^)]*\\)|"
+	+ _SHARE_OF_PI
+	+ "|"
 	+ _NUMBER
 	+ "|NaN|∞|Vec2\\.new|atan2|\\.x\\b|\\.y\\b|\\.copy\\(\\)|[\\p{L}_][\\p{L}\\p{M}_′₀-₉]*|\\S"
 )
@@ -141,9 +145,14 @@ func _factor() -> FormulaNode:
 				break
 		_at += 1
 	if _next().begins_with("(rounding"):
-		factor.is_rounding = true
-		_at += 1
+		factor.rounding = _rounding(_take())
 	return factor
+
+
+# What it says, and half a unit of its last digit.
+static func _rounding(remark: String) -> float:
+	var told := number(remark.get_slice(": ", 1).trim_suffix(")"))
+	return told.number * (1.0 + 0.5 / 10.0 ** (told.digits - 1))
 
 
 func _atom() -> FormulaNode:
@@ -181,7 +190,9 @@ func _parentheses() -> FormulaNode:
 func _number(token: String) -> FormulaNode:
 	var node := FormulaNode.new(FormulaNode.Kind.NUMBER)
 	var text := token.replace("−", "-")
-	if token == "NaN" or token == "∞":
+	if token.contains("π"):
+		_read_share_of_pi(node, token)
+	elif token == "NaN" or token == "∞":
 		node.number = NAN if token == "NaN" else INF
 	elif text.is_valid_float():
 		node.number = text.to_float()
@@ -189,6 +200,15 @@ func _number(token: String) -> FormulaNode:
 	else:
 		problem = "not a number"
 	return node
+
+
+# It is exact; where it is a result, the other sides may be off by what 4 digits would hide.
+func _read_share_of_pi(node: FormulaNode, token: String) -> void:
+	var times := token.get_slice("π", 0)
+	var below := token.get_slice("/", 1) if token.contains("/") else "1"
+	node.number = (times.to_float() if times else 1.0) * PI / below.to_float()
+	node.is_exact = true
+	node.unit = 10.0 ** (floori(log(node.number) / log(10.0)) - _LEAST_DIGITS + 1)
 
 
 func _count_digits(node: FormulaNode, text: String) -> void:
@@ -216,12 +236,13 @@ func _is_begin() -> bool:
 		token in ["(", "√", "NaN", "∞"]
 		or token in _FUNCTIONS
 		or token.left(1).is_valid_int()
+		or token.begins_with("π")
 		or _is_symbol(token)
 	)
 
 
 static func _is_symbol(token: String) -> bool:
-	if token in ["NaN", "∞"] or token == "" or token == WORDS:
+	if token in ["NaN", "∞"] or token == "" or token == WORDS or token.contains("π"):
 		return false
 	return token[0] == "_" or token[0].to_upper() != token[0].to_lower()
 

@@ -12,7 +12,7 @@ extends RefCounted
 
 ## A sum of at most this share of its terms is rounding; it has to be shown as 0.
 const ROUNDING := 1.0 / 2.0 ** 50
-## Where 0 is shown, a sum is at most this share of its terms.
+## Where 0 is shown, a sum is at most this share of its terms, or what is said to be rounding.
 const ZERO := 1e-12
 ## A number with so many digits has been rounded: else it would show less.
 const MANY_DIGITS := 6
@@ -291,7 +291,7 @@ func _is_shown_as(
 	if shown == 0.0:
 		var off := ZERO * size
 		if low == high and absf(low) > off:
-			off += _evaluation.spread_of(side, at, MANY_DIGITS)
+			off += maxf(_evaluation.spread_of(side, at, MANY_DIGITS), result.rounding)
 		return low <= off and high >= -off
 	if absf(shown) <= ROUNDING * size:
 		return false

@@ -4,6 +4,7 @@ extends LabTest
 
 const ThemeColors := preload("res://tools/draw/theme_colors.gd")
 const _READABLE := 4.5
+const _WELL_READABLE := 7.0
 const _FAR_APART := 10.0
 const _GROUNDS: Dictionary[String, Color] = {
 	"paper": Palette.PAPER,
@@ -19,6 +20,10 @@ const _ARROWS: Array[Palette.Role] = [
 ]
 
 
+func after_each() -> void:
+	Palette.is_high_contrast = false
+
+
 func test_text_of_every_role_reads_on_paper_panel_and_field() -> void:
 	for role: Palette.Role in Palette.Role.values():
 		for ground: String in _GROUNDS:
@@ -26,7 +31,32 @@ func test_text_of_every_role_reads_on_paper_panel_and_field() -> void:
 			assert_gte(contrast, _READABLE, "%s on %s" % [_name(role), ground])
 
 
-func test_arrows_differ_for_every_kind_of_eyes() -> void:
+func test_with_high_contrast_text_reads_on_white_for_weak_eyes_too() -> void:
+	Palette.is_high_contrast = true
+	for ground: String in _GROUNDS:
+		var white := Palette.drawn(_GROUNDS[ground])
+		assert_eq(white, Color.WHITE, ground)
+		for role: Palette.Role in Palette.Role.values():
+			assert_gte(
+				ColorVision.contrast(Palette.color(role), white), _WELL_READABLE, _name(role)
+			)
+
+
+func test_arrows_differ_for_every_kind_of_eyes_also_with_high_contrast() -> void:
+	_assert_arrows_differ()
+	Palette.is_high_contrast = true
+	_assert_arrows_differ()
+
+
+func test_what_has_a_color_of_the_palette_has_its_strong_color_with_high_contrast() -> void:
+	var usual := Palette.color(Palette.Role.B)
+	assert_eq(Palette.drawn(usual), usual)
+	Palette.is_high_contrast = true
+	assert_eq(Palette.drawn(Color(usual, 0.3)), Color(Palette.color(Palette.Role.B), 0.3))
+	assert_eq(Palette.drawn(Color.CORAL), Color.CORAL)
+
+
+func _assert_arrows_differ() -> void:
 	for kind: ColorVision.Kind in ColorVision.Kind.values():
 		for i: int in _ARROWS.size():
 			for j: int in i:

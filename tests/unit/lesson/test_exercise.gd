@@ -14,6 +14,15 @@ func test_a_known_mistake_is_named() -> void:
 	assert_eq(verdict.sentence, "Ten times too big.")
 
 
+func test_a_mistake_of_either_sign_is_named_with_both() -> void:
+	var exercise := Exercise.new()
+	exercise.right_answer = [5.0, 1.0]
+	exercise.add_mistake_of_either_sign([3.0, -4.0], "Turned.")
+	for answer: PackedFloat64Array in [[3.0, -4.0], [-3.0, 4.0]] as Array[PackedFloat64Array]:
+		assert_eq(exercise.check(answer).sentence, "Turned.")
+	assert_ne(exercise.check([3.0, 4.0]).sentence, "Turned.", "one sign alone is another mistake")
+
+
 func test_an_answer_that_nobody_foresaw_is_just_not_right() -> void:
 	var verdict := _exercise().check([-7.5])
 	assert_false(verdict.is_right)
@@ -48,6 +57,13 @@ func test_both_numbers_of_a_pair_have_to_be_right() -> void:
 	assert_eq(exercise.check([4.0, -3.0]).sentence, "Right: (4, −3).")
 	assert_false(exercise.check([4.0, 3.0]).is_right)
 	assert_false(exercise.check([-4.0, -3.0]).is_right)
+
+
+func test_the_solution_names_each_number_with_its_title() -> void:
+	var exercise := Exercise.new()
+	exercise.answer_titles = ["n̂x =", "n̂y ="]
+	exercise.right_answer = [-sqrt(0.1), 3.0 * sqrt(0.1)]
+	assert_eq(exercise.solution(), "n̂x = −0.3162, n̂y = 0.9487")
 
 
 func test_mistakes_are_told_apart_unless_two_answers_are_the_same() -> void:

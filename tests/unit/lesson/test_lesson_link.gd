@@ -77,7 +77,10 @@ func test_what_only_tracks_the_reader_is_passed_over() -> void:
 		"sa=D&source=editors&ust=17&usg=AOv",
 		"si=Ab_1",
 		"mibextid=1",
-		"__cft__[0]=AZ",
+		"__cft__[0]=AZ&__tn__=R",
+		"gbraid=1&gad_source=1",
+		"li_fat_id=1",
+		"_ga=2.1&_gl=1",
 	]:
 		var link := LessonLink.read("count=4&%s&share=0.25" % tracker, _base())
 		assert_eq(link.problem, "", tracker)
@@ -85,7 +88,7 @@ func test_what_only_tracks_the_reader_is_passed_over() -> void:
 
 
 func test_a_misspelt_name_is_no_tracker() -> void:
-	for word: String in ["cuont", "utm", "clip", "shares"]:
+	for word: String in ["cuont", "utm", "clip", "shares", "grid", "id", "fbid", "_place", "ust_"]:
 		var sentence := "There is no value “%s” here." % word
 		assert_string_starts_with(LessonLink.read(word + "=1", _base()).problem, sentence)
 

@@ -1,7 +1,9 @@
 extends LabTest
-## Of each question of each lesson, every wrong answer tells which mistake led to it.
+## Of each question of each lesson, every wrong answer tells which mistake led to it, and the
+## solution holds the right numbers.
 
 const _QUESTIONS := 200
+const _SOLUTIONS := 20
 const _FOLDER := "res://scenes/lessons/"
 
 
@@ -12,6 +14,30 @@ func test_every_known_mistake_has_an_answer_of_its_own() -> void:
 			var name_of_kind := "%s %s" % [script.resource_path.get_file(), kind]
 			var number: int = kinds[kind]
 			assert_eq(_first_clash(Callable(script, &"fresh"), number), "", name_of_kind)
+
+
+func test_every_solution_holds_the_right_numbers() -> void:
+	for script: GDScript in _exercises():
+		var kinds: Dictionary = script.get_script_constant_map()["Kind"]
+		for kind: int in kinds.values():
+			for exercise: Exercise in _some(script, kind):
+				var solution := exercise.solution()
+				for number in exercise.right_answer:
+					assert_string_contains(solution, NumberText.short(number), exercise.prompt)
+
+
+# Some of a kind with fresh numbers, and that of the lecture.
+func _some(script: GDScript, kind: int) -> Array[Exercise]:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 5
+	var found: Array[Exercise] = []
+	for i in _SOLUTIONS:
+		found.append(Exercise.drawn(Callable(script, &"fresh"), kind, rng))
+	if script.has_method(&"of_the_lecture"):
+		var of_the_lecture: Exercise = script.call(&"of_the_lecture", kind)
+		if of_the_lecture:
+			found.append(of_the_lecture)
+	return found
 
 
 # The first question of a kind in which two answers are the same.

@@ -1,6 +1,8 @@
 extends LabTest
 ## All texts of the lab can be written without the system's fonts: a browser provides none.
 
+# Nothing is drawn for it: it keeps a line together.
+const _JOINER := 0x2060
 const _ESCAPED := "\\\\u([0-9a-f]{4})"
 
 
@@ -28,7 +30,7 @@ func test_the_signs_are_needed_and_others_would_be_found() -> void:
 
 func _has(character: String) -> bool:
 	var code := character.unicode_at(0)
-	if code < 32 or ThemeDB.fallback_font.has_char(code):
+	if code < 32 or code == _JOINER or ThemeDB.fallback_font.has_char(code):
 		return true
 	return ThemeDB.fallback_font.fallbacks.any(func(font: Font) -> bool: return font.has_char(code))
 

@@ -1,21 +1,36 @@
-extends LabTest
-## Which part of a lesson's picture its card shows.
+extends ScreenTest
+## What a lesson's card shows: the board alone, without text.
 
-const KeepPictures := preload("res://tools/draw/keep_pictures.gd")
-
-const _PANEL := Color8(238, 235, 227)
-const _WIDTH := 400
-const _HEIGHT := 200
+const CardPicture := preload("res://tools/draw/card_picture.gd")
 
 
-# A board that is wide or narrow, above one or two lines of help with a letter in them.
-func test_a_card_shows_the_board_without_panel_and_help_line(
-	extent: Vector2i = use_parameters([Vector2i(260, 114), Vector2i(242, 88)])
-) -> void:
-	var picture := Image.create(_WIDTH, _HEIGHT, false, Image.FORMAT_RGB8)
-	picture.fill(_PANEL)
-	var board := Rect2i(Vector2i(0, KeepPictures.BOARD_TOP), extent)
-	picture.fill_rect(board, Palette.PAPER)
-	picture.fill_rect(Rect2i(_WIDTH - 8, KeepPictures.BOARD_TOP, 8, 90), Palette.GRID)
-	picture.fill_rect(Rect2i(14, _HEIGHT - 20, 100, 10), Palette.color(Palette.Role.INK))
-	assert_eq(KeepPictures.board_in(picture), board)
+func after_each() -> void:
+	student.window.content_scale_factor = 1.0
+	await super.after_each()
+
+
+func test_every_card_has_a_picture_of_one_size() -> void:
+	for lesson: LessonInfo in LessonIndex.lessons():
+		var picture := load(lesson.card_path()) as Texture2D
+		assert_eq(Vector2i(picture.get_size()), CardPicture.SIZE, lesson.id)
+
+
+func test_a_card_shows_the_board_alone() -> void:
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	await go_to_step()
+	CardPicture.show_board_alone(frame())
+	await student.settle()
+	var board := frame().lesson.board.get_global_rect()
+	assert_true(board.grow(1.0).encloses(frame().get_global_rect()), str(board))
+	for control: Control in Screen.controls(frame()):
+		if Screen.text_of(control) and not control is Handle:
+			assert_eq(_opacity(control), 0.0, Screen.text_of(control))
+
+
+func _opacity(control: Control) -> float:
+	var opacity := 1.0
+	var above: Node = control
+	while above is Control:
+		opacity *= (above as Control).modulate.a
+		above = above.get_parent()
+	return opacity

@@ -42,7 +42,7 @@ func test_the_class_of_a_script_that_was_left_out_is_found() -> void:
 
 func test_a_pack_that_is_too_large_is_found() -> void:
 	var large := "x".repeat(PackRules.VECTOR_LESSON_LIMIT)
-	assert_string_contains(_broken_by("dot_product", {"project.binary": large}), "more than 165000")
+	assert_string_contains(_broken_by("dot_product", {"project.binary": large}), "more than 230000")
 	assert_eq(_broken_by("angled_lines", {"project.binary": large}), "")
 
 

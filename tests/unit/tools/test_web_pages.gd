@@ -1,10 +1,12 @@
 extends LabTest
 ## The pages of the web site: what is filled in, and that their colours are the lab's.
 
+const TeachingPlan := preload("res://tools/web/teaching_plan.gd")
 const WebDemo := preload("res://tools/web/web_demo.gd")
 const WebPages := preload("res://tools/web/web_pages.gd")
 
 const INDEX := "res://tools/web/index_page.html"
+const NOTES := "res://tools/web/notes_page.html"
 const PAGE := "res://tools/web/demo_page.html"
 
 const SIZES: Dictionary[String, int] = {"wasm": 37000000, "pck": 145000}
@@ -25,7 +27,13 @@ func test_there_is_a_demo_for_the_lab_and_for_every_lesson_in_order() -> void:
 func test_the_index_has_a_card_for_each_demo_that_is_there() -> void:
 	var index := WebPages.index(_text(INDEX), [_demos[0], _demos[4], _demos[5]], 9390000)
 	assert_eq(
-		_hrefs(index), ["lab/index.html", "dot_product/index.html", "projection_proof/index.html"]
+		_hrefs(index),
+		[
+			"lab/index.html",
+			"notes.html",
+			"dot_product/index.html",
+			"projection_proof/index.html",
+		]
 	)
 	assert_string_contains(index, "4&ensp;The dot product")
 	assert_string_contains(index, _demos[4].summary)
@@ -38,9 +46,32 @@ func test_an_index_without_the_lab_does_not_offer_it() -> void:
 	assert_eq(_hrefs(index), ["dot_product/index.html"])
 
 
+func test_the_notes_have_every_row_of_the_plan_and_its_versions() -> void:
+	var plan := (
+		TeachingPlan
+		. new(
+			(
+				"| 1 | 0 | 8 | `dot_product?a=7,1&step=3` | **Exercise.** | a < b? – Yes – no. | vectors |\n"
+				+ "| 2 | 2 | next time | `line_ends?step=4` | Caps. | What? – A point. | collisions |\n\n"
+				+ "- 30 minutes: 1, 2\n"
+			)
+		)
+	)
+	var page := WebPages.notes(_text(NOTES), plan)
+	assert_string_contains(page, 'href="lab/index.html#dot_product?a=7,1&amp;step=3"')
+	assert_string_contains(page, "1 · minute 0, 2 min · part 8 · ")
+	assert_string_contains(page, "minute 2, 48 min · next time · ")
+	assert_string_contains(page, '<p class="show"><strong>Exercise.</strong></p>')
+	assert_string_contains(page, '<p class="ask">a &lt; b?</p>')
+	assert_string_contains(page, '<p class="answer">Yes – no.</p>')
+	assert_string_contains(page, '<option value="1 2">30 minutes</option>')
+
+
 func test_a_page_gets_its_title_its_links_and_the_shared_engine() -> void:
 	var page := WebPages.demo_page(_exported(), _demos[4], _demos[5], SIZES)
-	assert_string_contains(page, "<title>4&ensp;The dot product</title>")
+	assert_string_contains(page, "<title>4 The dot product - Vec2 Lab</title>")
+	assert_string_contains(page, 'name="description" content="%s"' % _demos[4].summary)
+	assert_string_contains(page, 'property="og:image" content="../cards/dot_product.png"')
 	assert_string_contains(page, "<h1>4&ensp;The dot product</h1>")
 	assert_string_contains(page, 'src="../cards/dot_product.png"')
 	assert_eq(_hrefs(page), ["../index.html", "../projection_proof/index.html"])
@@ -59,6 +90,14 @@ func test_the_last_page_has_no_next_and_the_labs_has_no_picture() -> void:
 	assert_eq(_hrefs(last), ["../index.html"])
 	var lab := WebPages.demo_page(_exported(), _demos[0], _demos[1], SIZES)
 	assert_eq(WebPages.between(lab, "picture"), "")
+	assert_eq(_hrefs(lab), ["../index.html"], "its lessons follow each other inside")
+	assert_string_contains(lab, "<title>Vec2 Lab</title>")
+
+
+func test_the_manifest_names_what_is_there() -> void:
+	var manifest: Dictionary = JSON.parse_string(_text("res://tools/web/manifest.webmanifest"))
+	assert_eq(str(manifest["start_url"]), "lab/index.html")
+	assert_has([Palette.PANEL], Color(str(manifest["theme_color"])))
 
 
 func test_a_page_can_be_filled_in_anew() -> void:

@@ -34,6 +34,7 @@ var start := {}
 var _balls: Array[PackedFloat64Array]
 var _lines: Array[PackedFloat64Array]
 var _gravity: PackedFloat64Array
+var _is_endless: bool
 
 
 func problem(seen: SeenLesson) -> String:
@@ -56,6 +57,7 @@ func _take(state: Dictionary) -> void:
 	_balls = state["balls"]
 	_lines = state["lines"]
 	_gravity = state["gravity"]
+	_is_endless = state.get("endless", false)
 
 
 # Of all balls: v²/2 + g h, with h above the lowest end of a line.
@@ -143,12 +145,16 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 	var is_lost := _is_lost(_selected(seen.state))
 	var closest := _closest_approach(seen.state)
 	var claims: Dictionary[String, bool] = {
-		"Drag on the board to draw a line": seen.step == 0,
+		"Drag on the board to draw a line": seen.step == 0 and not _is_endless,
+		"Week 4: lines are endless and work on the side to which n̂":
+		seen.step == 0 and _is_endless,
+		"A ball behind a line is put before it. Next time: lines end":
+		seen.step == 2 and _is_endless,
 		"The ball is lost": seen.step == 1 and is_lost,
 		"At the ring the ball touches a line": seen.step == 1 and not is_lost and closest <= _NEAR,
 		"The dots show its path in the next 1.5 s: no bounce":
 		seen.step == 1 and not is_lost and closest >= -_DEEP,
-		"The same minute": seen.step == 2,
+		"The same minute": seen.step == 2 and not _is_endless,
 	}
 	return false_claim([seen.sentence], claims)
 
@@ -176,7 +182,7 @@ func _problem_of_bounce(seen: SeenLesson) -> String:
 	var n_x := SeenLesson.first_number(shown_pair.get_slice(", ", 0))
 	var n_y := SeenLesson.first_number(shown_pair.get_slice(", ", 1))
 	if absf(n_x - touch.normal_x) + absf(n_y - touch.normal_y) > 2.0 * _BOUNCE_OFF:
-		return "n is (%s, %s): %s" % [touch.normal_x, touch.normal_y, seen.lines[3]]
+		return "n̂ is (%s, %s): %s" % [touch.normal_x, touch.normal_y, seen.lines[3]]
 	return _problem_of_share_of_frame(seen, touch)
 
 
@@ -280,7 +286,7 @@ func _problem_of_labels(seen: SeenLesson) -> String:
 	var names: PackedStringArray = []
 	var has_ring := seen.sentence.contains("At the ring")
 	for label in seen.labels:
-		if label in ["n"] or label.begins_with("t = "):
+		if label in ["n̂"] or label.begins_with("t = "):
 			if seen.step == 0 or seen.step == 1 and not has_ring:
 				return "there is no bounce to show: “%s”" % label
 		elif label.ends_with("Bring lost balls back"):
@@ -349,7 +355,7 @@ func _foot(x: float, y: float, line: PackedFloat64Array) -> PackedFloat64Array:
 
 # Name, share of the energy, error, run time.
 func _problem_of_rows(seen: SeenLesson) -> String:
-	if (seen.step == 2) == seen.rows.is_empty():
+	if (seen.step == 2 and not _is_endless) == seen.rows.is_empty():
 		return "the comparison belongs to the last step"
 	var bounciness: float = seen.state["bounciness"]
 	for i in seen.rows.size():

@@ -29,50 +29,50 @@ const CASES: Array[Dictionary] = [
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · (−289.8) (0, −1) = (40, −289.8)"
 			],
 			[
 				"g = ( 0 , 200 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · (−289.8) (0, −1) = (40, −289.8)"
 			],
 			[
 				"g = ( 0 , 300 )    C = 0.5",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · (−289.8) (0, −1) = (40, −289.8)"
 			],
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , 50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · (−289.8) (0, −1) = (40, −289.8)"
 			],
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 0 , 40 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · (−289.8) (0, −1) = (40, −289.8)"
 			],
 			["g = ( 0 , 300 )    C = 1", "P = ( 0 , -50 )   v = ( 40 , 0 )"],
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 270) − 2 · (−270) (0, −1) = (40, −270)"
 			],
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 1 · (−289.8) (0, −1) = (40, 0)"
 			],
 			[
 				"g = ( 0 , 300 )    C = 1",
 				"P = ( 0 , -50 )   v = ( 40 , 0 )",
-				"v₂ = v₁ − (1 + C) (v₁ · n) n",
+				"v₂ = v₁ − (1 + C) (v₁ · n̂) n̂",
 				"v₂ = (40, 289.8) − 2 · 289.8 (0, 1) = (40, −289.8)"
 			],
 		],
@@ -82,7 +82,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -90,7 +90,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.95",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -98,14 +98,14 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
 			[
 				"B",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -113,7 +113,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"something new",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
@@ -122,7 +122,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 1\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -130,7 +130,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 1    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -138,7 +138,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 1.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
@@ -146,7 +146,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 0.9    script 0.02 of 16.67 ms"
 			],
@@ -154,7 +154,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1 > 1    script 0.02 of 16.67 ms"
 			],
@@ -162,7 +162,7 @@ const CASES: Array[Dictionary] = [
 				"A",
 				"v",
 				"g",
-				"n",
+				"n̂",
 				"t = 0.965",
 				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1, mistake: 1    script 0.02 of 16.67 ms"
 			],
@@ -211,6 +211,37 @@ const CASES: Array[Dictionary] = [
 				["position reset", "1", "0", "115 µs"],
 				["rest dropped", "1", "0", "68 µs"],
 				["rest used", "0.99", "0.01", "35 µs"]
+			],
+		],
+	},
+	{
+		id = &"angled_lines",
+		state =
+		{
+			balls = [[0, -50, 40, 0, 10]],
+			lines = [[200, 140, -200, 140]],
+			gravity = [0, 300],
+			bounciness = 1.0,
+			method = "position_reset",
+			endless = true,
+			mistake = 0,
+			selected = 0,
+		},
+		step = [0],
+		sentence =
+		[
+			"Week 4: lines are endless and work on the side to which n̂ points.",
+			"Drag on the board to draw a line.",
+			"A ball behind a line is put before it. Next time: lines end, and have two sides.",
+		],
+		lines = [["g = ( 0 , 300 )    C = 1", "P = ( 0 , -50 )   v = ( 40 , 0 )"]],
+		labels =
+		[
+			[
+				"A",
+				"v",
+				"g",
+				"Frame 0, 0.00 s    bounces 0    lost 0\nE / E₀ = 1    script 0.02 of 16.67 ms"
 			],
 		],
 	},

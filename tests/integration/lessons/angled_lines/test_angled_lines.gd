@@ -27,7 +27,7 @@ func test_the_second_step_asks_for_the_touch_and_then_shows_it() -> void:
 	var truth := _model().forecast(_world()).next_bounce.position
 	assert_reads("Your guess was %s off." % NumberText.size(truth.distance_to(Vec2.new(20, 150))))
 	assert_eq(_shown_now(), [true, true] as Array[bool])
-	assert_string_contains(formula_lines()[2], "v₂ = v₁ − (1 + C) (v₁ · n) n")
+	assert_string_contains(formula_lines()[2], "v₂ = v₁ − (1 + C) (v₁ · n̂) n̂")
 	assert_string_contains(
 		formula_lines()[3], "− 2 · (−402.5) (0.03829, −0.9993) = (190.8, −395.5)"
 	)

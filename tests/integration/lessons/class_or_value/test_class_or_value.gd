@@ -126,9 +126,9 @@ func test_both_titles_stand_above_their_fields_in_their_own_halves() -> void:
 			var fields := frame().lesson.get_node("%Fields") as FieldTitles
 			var middle := frame().lesson.board.size.x / 2.0
 			var places := fields.title_places()
-			assert_between(places[0], FieldTitles.HALF_TITLE, middle - FieldTitles.HALF_TITLE)
-			var rightmost := 2.0 * middle - FieldTitles.HALF_TITLE
-			assert_between(places[1], middle + FieldTitles.HALF_TITLE, rightmost)
+			var half := fields.half_title()
+			assert_between(places[0], half, middle - half)
+			assert_between(places[1], middle + half, 2.0 * middle - half)
 
 
 func test_32_bits_are_seen_in_the_numbers() -> void:
@@ -240,3 +240,21 @@ func _formula_lines() -> PackedStringArray:
 # The first number in parentheses.
 func _first_number(line: String) -> String:
 	return line.get_slice("(", 1).get_slice(",", 0).strip_edges()
+
+
+func test_names_point_to_boxes_and_values_are_boxes() -> void:
+	var boxes := frame().lesson.get_node("%Boxes") as NameBoxes
+	await go_to_step(ClassOrValueTexts.Step.PLACES)
+	assert_eq(boxes.objects.size(), 1)
+	await go_to_step(ClassOrValueTexts.Step.CHANGE)
+	assert_true(boxes.is_shared)
+	assert_eq(boxes.objects, PackedStringArray(["(4, −4)", "(4, −4)"]))
+	assert_eq(boxes.values, PackedStringArray(["(4, −4)", "(2, −3)"]))
+	await click_button("Use copy()")
+	assert_false(boxes.is_shared)
+	assert_eq(boxes.objects, PackedStringArray(["(4, −4)", "(2, −3)"]))
+
+
+func test_the_names_in_code_are_not_translated() -> void:
+	for arrow: String in ["%Position", "%Value", "%Old", "%OldValue"]:
+		assert_false(frame().lesson.get_node(arrow).can_auto_translate(), arrow)

@@ -1,7 +1,7 @@
 extends LessonJudge
 ## Judges what the lesson on the dot product says.
 
-enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, ANGLE, PRIMITIVE }
+enum Step { VECTORS, UNIT, SCALAR, PROJECTION, REJECTION, SURE, BOTH, ANGLE, PRIMITIVE }
 
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-14
@@ -28,7 +28,7 @@ func problem(seen: SeenLesson) -> String:
 			_problem_of_card(seen) if not seen.verdict.is_empty() else "",
 			_problem_of_sentence(seen),
 			_problem_of_rows(seen),
-			false_label(seen.labels, _claims_of_labels(seen.step)),
+			_problem_of_labels(seen),
 			"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
 		]
 	)
@@ -131,7 +131,11 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 	var ends_at_head := absf(_dot - _w_length * _w_length) <= 1e-8 * _w_length * _w_length
 	var is_right := has_w and _normalizes
 	var is_wrong := has_w and not _normalizes
-	var letters := {u = _u_letter, w = _w_letter, e = _HATS[_w_letter]}
+	var letters := {u = _u_letter, w = _w_letter, e = _HATS[_w_letter], v = _HATS[_u_letter]}
+	var is_both := has_w and _u_length > 0.0 and step == Step.BOTH
+	var is_level := absf(_u_length - _w_length) <= _ROUNDING * _u_length
+	var differs := absf(_dot) > 0.0 and _u_length != _w_length
+	var q_is_u := absf(_dot - _u_length * _u_length) <= 1e-8 * _u_length * _u_length
 	var claims: Dictionary[String, bool] = {
 		"A vector is a difference": step == Step.VECTORS,
 		"{w} is zero: it has no direction, and no shadow": not has_w and step > Step.VECTORS,
@@ -151,8 +155,18 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 		"That times {w} is |{w}|² times the shadow": is_wrong and step == Step.PROJECTION,
 		"The rest {u} − p is not perpendicular to {w}":
 		has_w and _can_be_wrong() and step == Step.REJECTION,
-		"the mistake changes nothing": is_wrong and not _mistake_shows() and step == Step.REJECTION,
-		"The dot product holds the angle": has_w and _u_length > 0.0 and step == Step.ANGLE,
+		"the mistake changes nothing":
+		is_wrong and not _mistake_shows() and step in [Step.REJECTION, Step.SURE],
+		"Be sure of it. Try: drag {u}. Measure p": is_right and step == Step.SURE,
+		"Measured, p has a wrong length": has_w and _can_be_wrong() and step == Step.SURE,
+		"{u} is zero: it has no direction, and no shadow falls on it":
+		has_w and _u_length == 0.0 and step == Step.BOTH,
+		"{u} · {e} is not {w} · {v}": is_both and _normalizes and differs and not q_is_u,
+		"Here the shadow q is {u} itself": is_both and _normalizes and q_is_u and differs,
+		"Both shadows are equally long here": is_both and _normalizes and is_level,
+		"At a right angle both shadows are zero": is_both and _normalizes and absf(_dot) <= _off,
+		"Without dividing, both are {u} · {w}": is_both and not _normalizes,
+		"The scalar projection is |{u}| cos φ": has_w and _u_length > 0.0 and step == Step.ANGLE,
 		"The primitive way": has_w and _u_length > 0.0 and step == Step.PRIMITIVE,
 	}
 	var with_letters: Dictionary[String, bool] = {}
@@ -161,6 +175,8 @@ func _problem_of_sentence(seen: SeenLesson) -> String:
 	# Of two that are there, the chance is the one that says more.
 	if sentence.contains("Here it is %s itself" % _w_letter):
 		with_letters.erase("{e} times the scalar projection is".format(letters))
+	if sentence.contains("Here the shadow q is %s itself" % _u_letter):
+		with_letters.erase("{u} · {e} is not {w} · {v}".format(letters))
 	return false_claim([sentence], with_letters)
 
 
@@ -184,16 +200,33 @@ func _problem_of_rows(seen: SeenLesson) -> String:
 	return ""
 
 
+# What is measured stands behind the sign of equality.
+func _problem_of_labels(seen: SeenLesson) -> String:
+	var labels: PackedStringArray = []
+	for label in seen.labels:
+		labels.append("|p| = " if label.begins_with("|p| = ") else label)
+	var length := absf(_scalar()) * (1.0 if _normalizes else _w_length)
+	var off := absf(_scalar_off()) * (1.0 if _normalizes else _w_length)
+	return first_of(
+		[
+			false_label(labels, _claims_of_labels(seen.step)),
+			false_number(seen.labels, {"|p| =": length}, off),
+		]
+	)
+
+
 func _claims_of_labels(step: int) -> Dictionary[String, bool]:
 	var has_w := _w_length > 0.0
 	var has_angle := has_w and _u_length > 0.0
 	return {
 		"a": true,
 		"b": true,
-		_HATS[_w_letter]: has_w and _normalizes and step >= Step.UNIT,
+		_HATS[_w_letter]: has_w and _normalizes and step >= Step.UNIT and step != Step.SURE,
 		"φ = ": has_angle and step >= Step.SCALAR,
 		"p": has_w and step >= Step.PROJECTION,
 		"%s − p" % _u_letter: has_w and _normalizes and step == Step.REJECTION and _rest > 0.0,
+		"|p| = ": has_w and step == Step.SURE,
+		"q": has_angle and _normalizes and step == Step.BOTH,
 		"α = ": has_angle and step == Step.PRIMITIVE,
 		"β = ": has_angle and step == Step.PRIMITIVE,
 	}

@@ -31,21 +31,50 @@ const CASES: Array[Dictionary] = [
 	{
 		id = &"dot_product",
 		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
-		step = [6, 1],
+		step = [8, 1],
 		verdict_sign = ["−"],
 		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"], []],
 		sentence =
 		[
-			"The primitive way: find both angles by atan2, then take the cosine of their difference.",
-			"The dot product holds the angle φ: it is |a| |b| cos φ. For unit vectors that is cos φ.",
+			"The primitive way: both angles by atan2, their difference, its cosine, times |a|.",
+			"The scalar projection is |a| cos φ, so a · b is |a| |b| cos φ. Of unit vectors it is cos φ.",
 		],
 		rows = [[["by atan2 and cos", "−5.2", "8e−16"]], [["by atan2 and cos", "−5", "8e−16"]]],
 		labels = [["α = ", "β = ", "φ = "], ["a − p"]],
 	},
 	{
 		id = &"dot_product",
-		state = {a = [7, 1], b = [0, 0], is_swapped = false, normalizes = true},
+		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
+		step = [5],
+		verdict_sign = ["−"],
+		sentence =
+		[
+			"Be sure of it. Try: drag a. Measure p, as here. Prove it: see “Proof of the projection”.",
+			"Try, measure or prove: each of the three finds the mistake. Measured, p has a wrong length.",
+		],
+		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"]],
+		labels = [["a", "b", "|p| = 5.2"], ["|p| = 5.3"], ["q"]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [-5, 2], b = [8, -6], is_swapped = false, normalizes = true},
 		step = [6],
+		verdict_sign = ["−"],
+		sentence =
+		[
+			"a · b\u0302 is not b · â: the same dot product, divided by another length.",
+			"a · b\u0302 is not b · â. Here the shadow q is a itself, by chance: drag a.",
+			"Both shadows are equally long here, because a and b are.",
+			"At a right angle both shadows are zero: drag a away from it.",
+			"Without dividing, both are a · b: one number for two shadows.",
+		],
+		verdict = [["Scalar projection −5.2", "negative: the angle is above 90°"]],
+		labels = [["a", "b", "p", "q"], ["|p| = 5.2"]],
+	},
+	{
+		id = &"dot_product",
+		state = {a = [7, 1], b = [0, 0], is_swapped = false, normalizes = true},
+		step = [8],
 		verdict_sign = ["0", "+"],
 		verdict =
 		[

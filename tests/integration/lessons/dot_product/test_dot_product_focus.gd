@@ -25,7 +25,7 @@ func test_shift_and_an_arrow_key_nudge_by_a_tenth() -> void:
 
 
 func test_the_tab_key_goes_through_all_handles_and_on_to_the_panel() -> void:
-	Screen.button(screen(), "Motion").grab_focus()
+	Screen.button(screen(), "View").grab_focus()
 	var reached := await _names_with_focus(student.press_key.bind(KEY_TAB))
 	var handles: Array[String] = [
 		"Whole vector a", "Tail of a", "Head of a", "Whole vector b", "Tail of b", "Head of b"
@@ -39,7 +39,7 @@ func test_tab_with_shift_goes_back_through_all_handles() -> void:
 	var handles: Array[String] = [
 		"Head of b", "Tail of b", "Whole vector b", "Head of a", "Tail of a", "Whole vector a"
 	]
-	assert_eq(reached, handles + ["Let things move by themselves"] as Array[String])
+	assert_eq(reached, handles + ["View"] as Array[String])
 
 
 func test_a_click_on_the_board_takes_the_focus_from_a_field() -> void:

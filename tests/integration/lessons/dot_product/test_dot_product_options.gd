@@ -1,7 +1,7 @@
 extends DotProductTest
 ## Switches, presets, graph and play in the lesson on the dot product.
 
-const _GRAPH := "a · b for each angle"
+const _GRAPH := "a · b, right: cos φ"
 
 
 func before_each() -> void:
@@ -114,7 +114,7 @@ func test_what_only_rounding_leaves_is_a_right_angle() -> void:
 
 
 func test_dragging_on_the_graph_turns_a_and_keeps_its_length() -> void:
-	await go_to_step(5)
+	await go_to_step(DotProductTexts.Step.ANGLE)
 	var graph := Screen.named(screen(), _GRAPH).get_global_rect()
 	await student.drag(graph.get_center(), Vector2(graph.end.x - 14.0, graph.get_center().y))
 	assert_almost_eq(_a().length(), sqrt(50.0), 1e-12)
@@ -122,11 +122,11 @@ func test_dragging_on_the_graph_turns_a_and_keeps_its_length() -> void:
 
 
 func test_the_middle_of_the_graph_is_the_angle_zero() -> void:
-	await go_to_step(5)
+	await go_to_step(DotProductTexts.Step.ANGLE)
 	var graph := Screen.named(screen(), _GRAPH).get_global_rect()
-	# Between the margins: the numbers of the y axis are at the left.
+	# Between the margins: the numbers of a · b are at the left, those of cos φ at the right.
 	await student.click_at(
-		Vector2((graph.position.x + 56.0 + graph.end.x - 14.0) / 2.0, graph.get_center().y)
+		Vector2((graph.position.x + 56.0 + graph.end.x - 36.0) / 2.0, graph.get_center().y)
 	)
 	assert_almost_eq(_a().cross(_b()), 0.0, 1e-9)
 	assert_gt(_a().dot(_b()), 0.0)
@@ -142,7 +142,7 @@ func test_play_turns_a_and_taking_hold_of_a_vector_pauses() -> void:
 
 
 func test_the_graph_pauses_too() -> void:
-	await go_to_step(5)
+	await go_to_step(DotProductTexts.Step.ANGLE)
 	await click_button("Play or pause")
 	await student.click_at(Screen.named(screen(), _GRAPH).get_global_rect().get_center())
 	assert_false(_transport().is_playing)

@@ -250,7 +250,7 @@ func test_huge_and_tiny_numbers_leave_finite_results() -> void:
 
 func test_a_tilt_that_is_too_steep_is_refused_and_the_old_one_stays() -> void:
 	await student.enter(field("Tilt of the line in degrees"), "80")
-	assert_reads("The tilt must be within −45 and 45°, not 80°.")
+	assert_reads("The tilt must be within −45° and 45°, not 80°.")
 	assert_eq(_tilt(), 0.0)
 	assert_eq(field("Tilt of the line in degrees").text, "0")
 
@@ -320,9 +320,9 @@ func _tilt() -> float:
 func _rows() -> Array[String]:
 	var titles: Array[String] = []
 	var readout := frame().lesson.services[&"readout"] as Readout
-	for i: int in range(readout.columns, readout.get_child_count(), readout.columns):
-		var title := readout.get_child(i) as Label
-		if title.is_visible_in_tree():
+	for row: int in range(1, readout.row_count()):
+		var title := readout.cell(row, 0)
+		if readout.is_visible_in_tree() and title.visible:
 			titles.append(title.text)
 	return titles
 

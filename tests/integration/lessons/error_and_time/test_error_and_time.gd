@@ -211,7 +211,7 @@ func test_arrow_keys_and_the_pad_go_from_point_to_point_by_run_time() -> void:
 
 
 func test_the_tab_key_reaches_the_plot() -> void:
-	Screen.button(screen(), "Motion").grab_focus()
+	Screen.button(screen(), "View").grab_focus()
 	await student.press_key(KEY_TAB)
 	assert_true(_plot().has_focus())
 
@@ -342,7 +342,7 @@ func _rank_of_closest(all: Array[Measurement]) -> int:
 
 func _readout_text(row: int, column: int) -> String:
 	var readout := frame().lesson.services[&"readout"] as Readout
-	return (readout.get_child(row * readout.columns + column) as Label).text
+	return readout.cell(row, column).text
 
 
 # The last entry in the list of problems.

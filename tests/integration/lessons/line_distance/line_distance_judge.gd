@@ -8,6 +8,12 @@ const _ROUNDING := 1e-13
 const _DISTANCE := 2
 const _GAP := 3
 const _SEGMENT := 4
+const _DETECTION := 5
+
+const _BELOW_RADIUS := 0
+const _ONLY_ABOVE := 1
+const _BOTH_SIDES := 2
+const _MOST_FRAMES := 12
 
 const _SIGN := "the ball of the card has a “%s”"
 
@@ -27,6 +33,9 @@ var _wrong: float
 var _share: float
 # What the distances may be off by.
 var _off: float
+# How far the ball of the last step moves in a frame, and where it is red.
+var _speed: float
+var _rule: int
 
 
 func problem(seen: SeenLesson) -> String:
@@ -47,6 +56,8 @@ func _take(state: Dictionary) -> void:
 	var ball: PackedFloat64Array = state["ball"]
 	_radius = ball[2]
 	_mistake = state["mistake"]
+	_speed = state["speed"]
+	_rule = state["rule"]
 	var along_x := line[2] - line[0]
 	var along_y := line[3] - line[1]
 	var length := sqrt(along_x * along_x + along_y * along_y)
@@ -77,9 +88,52 @@ func _is_beside_end(slack: float) -> bool:
 	return _share < slack or _share > 1.0 - slack
 
 
+# In how many frames up to this one the ball is red; rounding may make it one more or less.
+func _red_counts(last: int) -> Array[int]:
+	var counts: Array[int] = [0, 0]
+	for frame: int in last + 1:
+		for i: int in 2:
+			var at := _distance - frame * _speed
+			var slack := _off * (2.0 * i - 1.0)
+			var is_red := at < _radius + slack
+			if _rule == _ONLY_ABOVE:
+				is_red = is_red and at >= -slack
+			elif _rule == _BOTH_SIDES:
+				is_red = absf(at) < _radius + slack
+			counts[i] += int(is_red)
+	return counts
+
+
+func _last_frame() -> int:
+	return clampi(ceili(minf((_distance + _radius) / _speed, _MOST_FRAMES)), 1, _MOST_FRAMES)
+
+
+# Whether the ball may come from the good side and be red in no frame until it is behind the line.
+func _can_be_never_seen() -> bool:
+	var last := _last_frame()
+	var is_behind := _distance - last * _speed < _off
+	return _distance > -_off and is_behind and _red_counts(last)[0] == 0
+
+
+func _problem_of_flight(seen: SeenLesson) -> String:
+	var words := seen.verdict[0].replace("red in ", "").replace(" frames", "").split(" of ")
+	var frames := int(words[1])
+	var counts := _red_counts(frames - 1)
+	if frames < 1 or frames > _last_frame() + 2:
+		return "there are not so many frames: “%s”" % seen.verdict[0]
+	if int(words[0]) < counts[0] or int(words[0]) > counts[1]:
+		return "it is red in %s: “%s”" % [counts, seen.verdict[0]]
+	if seen.verdict.size() > 1 and not _can_be_never_seen():
+		return "it is seen: “%s”" % seen.verdict[1]
+	var sign_text := "!" if int(words[0]) > 0 else "0"
+	return "" if seen.verdict_sign == sign_text else _SIGN % seen.verdict_sign
+
+
 func _problem_of_card(seen: SeenLesson) -> String:
 	if seen.verdict.is_empty():
 		return ""
+	if seen.step == _DETECTION:
+		return _problem_of_flight(seen)
 	var gap := _distance - _radius
 	var claims: Dictionary[String, bool] = {
 		"Behind the line: gap": _distance < _off,
@@ -114,7 +168,7 @@ func _problem_of_card(seen: SeenLesson) -> String:
 
 
 func _problem_of_sentence(sentence: String, step: int) -> String:
-	var is_compared := _mistake != 0 and step >= _DISTANCE
+	var is_compared := _mistake != 0 and step >= _DISTANCE and step < _DETECTION
 	var is_last := step == _SEGMENT and not is_compared
 	var claims: Dictionary[String, bool] = {
 		"d leads from p": step == 0,
@@ -125,6 +179,12 @@ func _problem_of_sentence(sentence: String, step: int) -> String:
 		"Compare the distance of the mistake": is_compared,
 		"Past an end, the segment is farther away": is_last and _is_beside_end(1e-9),
 		"The distance to the segment has no sign": is_last and _distance < _off,
+		"a ball this fast jumps over the line and is never seen":
+		step == _DETECTION and _can_be_never_seen(),
+		"red where d · n̂ < r, far behind the line, too":
+		step == _DETECTION and _rule == _BELOW_RADIUS,
+		"red only in front of the line, closer than r": step == _DETECTION and _rule == _ONLY_ABOVE,
+		"red on both sides of the line, closer than r": step == _DETECTION and _rule == _BOTH_SIDES,
 		"A segment has ends. Here its distance is the same":
 		is_last and not _is_beside_end(-1e-9) and _distance > -_off,
 	}
@@ -143,11 +203,11 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 
 func _problem_of_labels(labels: PackedStringArray, step: int) -> String:
 	var gap := _distance - _radius
-	var has_gap := step >= _GAP
-	var is_compared := _mistake != 0 and step >= _DISTANCE
+	var has_gap := step in [_GAP, _SEGMENT]
+	var is_compared := _mistake != 0 and step >= _DISTANCE and step < _DETECTION
 	var is_so: Dictionary[String, bool] = {
 		"line": true,
-		"d": true,
+		"d": step < _DETECTION,
 		"r": has_gap and _mistake == 0,
 		"free": has_gap and gap > -_off,
 		"touching": has_gap and absf(gap) <= _off,

@@ -6,7 +6,8 @@ const CASES: Array[Dictionary] = [
 	{
 		id = &"line_distance",
 		step = [4],
-		state = {line = [200, 150, -200, -150], ball = [24, 93, 30], mistake = 0},
+		state =
+		{line = [200, 150, -200, -150], ball = [24, 93, 30], speed = 35, rule = 0, mistake = 0},
 		verdict_sign = ["−", "+"],
 		verdict =
 		[
@@ -38,7 +39,8 @@ const CASES: Array[Dictionary] = [
 	},
 	{
 		id = &"line_distance",
-		state = {line = [200, 150, -200, -150], ball = [78, 21, 30], mistake = 9},
+		state =
+		{line = [200, 150, -200, -150], ball = [78, 21, 30], speed = 35, rule = 0, mistake = 9},
 		step = [3],
 		verdict_sign = ["+", "−"],
 		verdict =
@@ -57,7 +59,8 @@ const CASES: Array[Dictionary] = [
 	},
 	{
 		id = &"line_distance",
-		state = {line = [200, 150, -200, -150], ball = [78, 21, 30], mistake = 9},
+		state =
+		{line = [200, 150, -200, -150], ball = [78, 21, 30], speed = 35, rule = 0, mistake = 9},
 		step = [1],
 		sentence =
 		[
@@ -68,5 +71,45 @@ const CASES: Array[Dictionary] = [
 		rows = [[], [["from p", "30", "0"]]],
 		lines = [["d = c − p"], ["wrong: d · (−n̂) = −30"]],
 		labels = [["line", "d"], ["touching"], ["r"], ["right 30"]],
+	},
+	{
+		id = &"line_distance",
+		state =
+		{line = [200, 150, -200, -150], ball = [120, -35, 30], speed = 140, rule = 2, mistake = 9},
+		step = [5],
+		verdict_sign = ["0", "!", "+"],
+		verdict =
+		[
+			["red in 0 of 2 frames", "it passes between two frames"],
+			["red in 1 of 2 frames", "it passes between two frames"],
+			["red in 0 of 9 frames"],
+		],
+		sentence =
+		[
+			"Discrete detection looks once a frame: a ball this fast jumps over the line and is never seen.",
+			"Discrete detection looks once a frame: red where d · n̂ < r, far behind the line, too.",
+			"Compare the distance of the mistake with the right one.",
+		],
+		rows = [[]],
+		labels = [["line"], ["d"], ["free"], ["gap 70"], ["wrong −100"]],
+	},
+	{
+		id = &"line_distance",
+		state =
+		{line = [200, 150, -200, -150], ball = [120, -35, 30], speed = 35, rule = 2, mistake = 0},
+		step = [5],
+		verdict_sign = ["!", "0"],
+		verdict =
+		[
+			["red in 1 of 5 frames"],
+			["red in 3 of 5 frames"],
+			["red in 1 of 5 frames", "it passes between two frames"],
+		],
+		sentence =
+		[
+			"Discrete detection looks once a frame: red on both sides of the line, closer than r.",
+			"Discrete detection looks once a frame: red only in front of the line, closer than r.",
+			"Discrete detection looks once a frame: a ball this fast jumps over the line and is never seen.",
+		],
 	},
 ]

@@ -5,7 +5,7 @@ extends BallLessonTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"line_distance"))
-	await go_to_step()
+	await go_to_step(LineDistanceTexts.Step.SEGMENT)
 
 
 func test_it_starts_with_a_free_ball_and_its_distance() -> void:
@@ -167,7 +167,7 @@ func test_each_preset_can_be_set_up() -> void:
 	var gaps: Dictionary[String, String] = {
 		"Too close": "Too close: gap −5 px",
 		"Behind": "Behind the line: gap −90 px",
-		"Far p": "Free: gap 70 px",
+		"p far away": "Free: gap 70 px",
 		"Free": "Free: gap 70 px",
 	}
 	for title in gaps:
@@ -218,6 +218,47 @@ func test_a_mistake_can_be_undone() -> void:
 	var mistake: int = frame().lesson.state()["mistake"]
 	assert_eq(mistake, 0)
 	assert_does_not_read("The test ")
+
+
+func test_a_fast_ball_jumps_over_the_line_and_a_slow_one_is_seen() -> void:
+	await click_button("Fast ball")
+	assert_eq(frame().lesson.step, LineDistanceTexts.Step.DETECTION)
+	assert_reads("is never seen")
+	assert_reads("red in 0 of 2 frames")
+	await click_button("Slow ball")
+	assert_reads("red in 1 of 5 frames")
+	assert_eq(formula_lines()[-1], "|(−40)| ≥ 30     not red")
+	await student.press(&"lab_previous_frame")
+	assert_eq(formula_lines()[-1], "|(−5)| < 30     red")
+	await student.press(&"lab_previous_frame")
+	assert_eq(formula_lines()[-2], "frame 2     100 − 2·35 = 30")
+	assert_reads("red in 0 of 3 frames")
+
+
+func test_the_flight_plays_to_its_end() -> void:
+	await go_to_step(LineDistanceTexts.Step.DETECTION)
+	await student.press(&"lab_pause")
+	assert_reads("of 1 frames")
+	var transport := frame().lesson.services[&"transport"] as Transport
+	for wait: int in 3000:
+		if not transport.is_playing:
+			break
+		await get_tree().process_frame
+	assert_reads("red in 2 of 5 frames")
+
+
+func test_the_test_of_detection_and_the_speed_can_be_chosen_and_undone() -> void:
+	await go_to_step()
+	assert_reads("red in 2 of 5 frames")
+	(frame().lesson.services[&"options"] as LessonOptions).chosen.emit("rule", 1)
+	assert_reads("red in 0 of 5 frames")
+	await student.enter(field("speed of the ball in pixels per frame"), "38")
+	assert_reads("red in 1 of 5 frames")
+	await student.press(&"lab_undo")
+	await student.press(&"lab_undo")
+	assert_reads("red in 2 of 5 frames")
+	await student.enter(field("speed of the ball in pixels per frame"), "0")
+	assert_reads("The speed must be above 0")
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:

@@ -41,13 +41,13 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 	var is_last := _step == _BOUNCE
 	return {
 		"As before: an infinite line with one good side. A ball from behind passes": _step == 0,
-		"Turn n to the ball's side: now both sides work. Still infinite": _step == 1,
+		"Turn n̂ to the ball's side: now both sides work. Still infinite": _step == 1,
 		"With ends, 0 ≤ s ≤ 1 must hold: the ball's centre F is beside the line": _step == _SEGMENT,
 		"Round caps: the ball touches an end when its centre is r away": _step == _CAP,
 		"|d + t v| = r, squared, is a quadratic: a t² + b t + c = 0": _step == 4,
 		"D < 0: the ball misses. D > 0: t₁ is the first touch; it counts within 0..1":
 		_step == _ROOTS,
-		"n points from the end to the ball's centre. Reflect v on it":
+		"n̂ points from the end to the ball's centre. Reflect v on it":
 		is_last and (_facts.hits_end() or _facts.is_close_call),
 		"This ball bounces on the line, with the line's normal":
 		is_last and (_facts.hits_capsule() and not _facts.hits_end() or _facts.is_close_call),
@@ -83,7 +83,7 @@ func _problem_of_name(text: String) -> String:
 		"B": _step >= _CAP,
 		"t₁": _step >= _ROOTS,
 		"t₂": _step == _ROOTS,
-		"n": _step == _BOUNCE and (_facts.hits_end() or _facts.is_close_call),
+		"n̂": _step == _BOUNCE and (_facts.hits_end() or _facts.is_close_call),
 		"wrong": _facts.mistake != 0 and _step >= _CAP,
 	}
 	return "" if names.get(text, false) else "no such name is to be seen"
@@ -121,6 +121,7 @@ func _known_words() -> PackedStringArray:
 		"touches the end",
 		"passes through from behind",
 		"finds no hit, cuts through the end",
+		"finds no hit, drives in lengthwise",
 		"passes beside",
 		"does not get there",
 		"moves away",
@@ -139,7 +140,8 @@ func _right_words(field: int) -> String:
 	if not has_sides and not _facts.is_in_front() and passes:
 		return "passes through from behind"
 	if field >= 2 and _facts.hits_capsule():
-		return "finds no hit, cuts through the end"
+		var is_along := _facts.approach == 0.0
+		return "finds no hit, " + ("drives in lengthwise" if is_along else "cuts through the end")
 	return _words_of_miss()
 
 

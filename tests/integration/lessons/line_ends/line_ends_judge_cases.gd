@@ -8,7 +8,7 @@ const CASES: Array[Dictionary] = [
 		step = [6, 4, 3, 2],
 		sentence =
 		[
-			"n points from the end to the ball's centre. Reflect v on it as before.",
+			"n̂ points from the end to the ball's centre. Reflect v on it as before.",
 			"This ball bounces on the line, with the line's normal, as before.",
 			"This ball touches neither the line nor an end: v stays as it is.",
 			"|d + t v| = r, squared, is a quadratic: a t² + b t + c = 0.",
@@ -21,7 +21,7 @@ const CASES: Array[Dictionary] = [
 			["t₂ = 0.9932     the line is met first"],
 			["D < 0: no root. This end is not touched."],
 			["t = (7.462 − 5) / 12.46 = 0.1975     overlap: t = 0"],
-			["−v · n = 1: it moves away, no impact"],
+			["−v · n̂ = 1: it moves away, no impact"],
 		],
 		rows =
 		[
@@ -44,7 +44,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"bounces on the end, t = 0.5\n✗ the wrong ball: t = −0.5"
@@ -59,7 +59,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"touches the end, t = 0.5\n✗ the wrong ball: t = −0.5"
@@ -68,7 +68,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"bounces on the end, t = 0.5"
@@ -77,7 +77,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"bounces on the end, t = 0.5\n✗ the wrong ball: t = 0.5"
@@ -86,7 +86,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"bounces on the end, t = 0.5\n✗ the wrong ball passes"
@@ -95,7 +95,7 @@ const CASES: Array[Dictionary] = [
 				"Segment, two sides, round caps",
 				"v",
 				"A",
-				"n",
+				"n̂",
 				"t₁",
 				"wrong",
 				"bounces on the end, t = 0.5\nthe wrong ball does the same here"

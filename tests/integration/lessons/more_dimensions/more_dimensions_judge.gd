@@ -2,15 +2,39 @@ extends LessonJudge
 ## Judges what the lesson on more dimensions says.
 
 ## The steps, counted from 0.
-enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE }
+enum Step { COMPONENTS, PRODUCTS, SUM, SIGN, ANGLE, USES }
 
 # What a sum of doubles may be off by, as a share of its terms.
 const _ROUNDING := 1e-14
 # The labels of axes and vectors, and of the shadow.
 const _LETTERS: Array[String] = ["x", "y", "z", "a", "b", "p"]
 
+# The table of the last step, which holds in every state: heading, use with its lessons, formula.
+const _USES: PackedStringArray = [
+	"use (lesson)",
+	"formula",
+	"length (3)",
+	"|a| = √(a · a)",
+	"angle (4)",
+	"cos α = a · b / (|a| |b|)",
+	"below, at or above 90° (4, 11)",
+	"a · b > 0, = 0, < 0",
+	"shadow, projection (4, 5)",
+	"p = (a · b̂) b̂",
+	"distance from a line (6)",
+	"(c − p) · n̂",
+	"side of a line (6)",
+	"(c − p) · n̂ > 0",
+	"moment of the touch (7)",
+	"t = (distance − r) / (−v · n̂)",
+	"bounce (8, 9)",
+	"v − (1 + C) (v · n̂) n̂",
+	"touch at the end of a line (10)",
+	"v · v t² + 2 d · v t + d · d = r²",
+]
+
 var _step: int
-var _has_four: bool
+var _count: int
 var _dot: float
 # What the dot product may be off by.
 var _off: float
@@ -36,11 +60,12 @@ func problem(seen: SeenLesson) -> String:
 
 
 func _take(state: Dictionary) -> void:
-	_has_four = state["has_four"]
+	var fifth: PackedFloat64Array = state["fifth"]
 	var all_of_a: PackedFloat64Array = state["a"]
 	var all_of_b: PackedFloat64Array = state["b"]
-	var a := all_of_a.slice(0, 4 if _has_four else 3)
-	var b := all_of_b.slice(0, 4 if _has_four else 3)
+	_count = 5 if state["has_five"] else 4 if state["has_four"] else 3
+	var a := (all_of_a + PackedFloat64Array([fifth[0]])).slice(0, _count)
+	var b := (all_of_b + PackedFloat64Array([fifth[1]])).slice(0, _count)
 	_dot = 0.0
 	_off = 0.0
 	for i in a.size():
@@ -79,9 +104,10 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		"A vector is a list of numbers: two, three, four": _step == Step.COMPONENTS,
 		"Multiply the first by the first": _step == Step.PRODUCTS,
 		"Add the products: one number comes out": _step == Step.SUM,
-		"Its sign alone tells whether the angle is below or above 90°": has_sign and _has_four,
-		"Above 90°, the shadow p of a points against b": has_sign and not _has_four,
-		"A zero vector has no direction: there is no angle": not _has_angle(),
+		"Its sign tells whether the angle is below, at or above 90°": has_sign and _count > 3,
+		"Above 90°, the shadow p of a points against b": has_sign and _count == 3,
+		"A zero vector has no direction: there is no angle": not _has_angle() and _step < Step.USES,
+		"What the dot product is for, and in which lesson each use is shown": _step == Step.USES,
 		"divide by both lengths: that is its cosine": _step == Step.ANGLE and _has_angle(),
 	}
 
@@ -102,6 +128,11 @@ func _claims_of_sign() -> Dictionary[String, bool]:
 
 func _problem_of_labels(labels: PackedStringArray) -> String:
 	for label in labels:
+		# Nothing is seen of what keeps a line together.
+		if in_degrees(label.replace("\u2060", "")) in _USES:
+			if _step != Step.USES:
+				return "the uses come last: “%s”" % label
+			continue
 		if label == "p" and (_step < Step.SIGN or not _has_angle()):
 			return "there is no shadow “p” yet"
 		if label in _LETTERS:
@@ -110,8 +141,8 @@ func _problem_of_labels(labels: PackedStringArray) -> String:
 		if is_card and _step < Step.SIGN:
 			return "the sign is told too early: “%s”" % label
 		var claims: Dictionary[String, bool] = {
-			"Drag beside the arrows to turn the axes": not _has_four,
-			"Four axes do not fit into a picture": _has_four,
+			"Drag beside the arrows to turn the axes": _count == 3,
+			"So many axes do not fit into a picture": _count > 3,
 		}
 		claims.merge(_claims_of_sign())
 		var found := false_claim(label.split("\n"), claims)
@@ -121,7 +152,7 @@ func _problem_of_labels(labels: PackedStringArray) -> String:
 
 
 func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
-	if rows and (_step < Step.ANGLE or not _has_angle()):
+	if rows and (_step != Step.ANGLE or not _has_angle()):
 		return "there is no angle to measure: “%s”" % "  ".join(rows[0])
 	for row in rows:
 		var is_dot := row[0] == "a · b"
@@ -140,8 +171,8 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 func _problem_of_lines(lines: PackedStringArray) -> String:
 	for line in lines:
 		if line.begins_with("α = "):
-			var degrees := SeenLesson.number_behind("α = ", line)
-			var is_close := SeenLesson.is_close(degrees, _degrees, _degrees_off)
+			var degrees := SeenLesson.degrees_behind("α = ", line)
+			var is_close := SeenLesson.is_close_angle(degrees, _degrees, _degrees_off)
 			if not is_close or not _has_angle():
 				return "the angle is %s: “%s”" % [_degrees, line]
 			# However near it is, only a right angle has 90°.

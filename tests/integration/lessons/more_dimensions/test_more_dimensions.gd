@@ -7,7 +7,7 @@ const _HALF_A_HANDLE := Vector2(Handle.TOUCH_SIZE, Handle.TOUCH_SIZE) / 2.0
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"more_dimensions"))
-	await go_to_step()
+	await go_to_step(MoreDimensionsTexts.Step.ANGLE)
 
 
 func test_the_first_sight_is_an_acute_angle_in_space() -> void:
@@ -31,6 +31,46 @@ func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
 	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 = 21")
 	assert_false(_part("Picture").visible)
 	assert_not_null(Screen.named(screen(), "Component 4 of a"))
+
+
+func test_five_components_take_part_in_the_same_formula_and_four_do_not_then() -> void:
+	await click_button("Four components")
+	await click_button("Five components")
+	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 + 3·(−2) = 15")
+	var has_four: bool = frame().lesson.state()["has_four"]
+	assert_false(has_four)
+	assert_not_null(Screen.named(screen(), "Component 5 of b"))
+	await click_button("Five components")
+	assert_true(_part("Picture").visible)
+
+
+func test_the_last_step_says_what_the_dot_product_is_for() -> void:
+	assert_does_not_read("moment of the touch")
+	await student.press(&"lab_next_step")
+	assert_reads("moment of the touch")
+	assert_reads("t = (distance − r) / (−v · n̂)")
+	for part: String in ["Picture", "Bars", "Stairs", "VerdictCard", "Hint"]:
+		assert_false(_part(part).visible, part)
+	await student.press(&"lab_previous_step")
+	for part: String in ["Picture", "Bars", "Stairs", "VerdictCard", "Hint"]:
+		assert_true(_part(part).visible, part)
+
+
+# The table of the last step names them by their numbers.
+func test_the_lessons_of_the_table_have_the_numbers_that_it_says() -> void:
+	var shown: Dictionary[StringName, String] = {
+		&"normals": "3",
+		&"dot_product": "4",
+		&"projection_proof": "5",
+		&"line_distance": "6",
+		&"point_of_impact": "7",
+		&"reflection": "8",
+		&"angled_lines": "9",
+		&"line_ends": "10",
+		&"more_dimensions": "11",
+	}
+	for id in shown:
+		assert_eq(LessonIndex.lessons()[shown[id].to_int() - 1].id, id)
 
 
 func test_the_card_covers_no_bar_where_bars_fill_the_board() -> void:

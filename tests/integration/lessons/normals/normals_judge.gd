@@ -39,7 +39,7 @@ func _take(state: Dictionary) -> void:
 	if largest > 0.0:
 		_length = largest * sqrt((_x / largest) ** 2.0 + (_y / largest) ** 2.0)
 	_times = state["times"]
-	_is_y_up = state["is_y_up"]
+	_is_y_up = Conventions.is_y_up()
 	_mistake = state["mistake"]
 
 
@@ -74,7 +74,7 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 		"+90°, clockwise: x now runs along y": is_plain and step == 1 and not _is_y_up,
 		"+90°, counter-clockwise: x now runs along y": is_plain and step == 1 and _is_y_up,
 		"(y, −x) is the opposite normal": is_plain and step == 2,
-		"Divide n by its length": is_plain and step == 3,
+		"Divide by the length: v̂ is v normalized": is_plain and step == 3,
 		"In pixels, length 1 is too short to see": is_plain and step == 4,
 		"v is zero: a point has no direction": is_zero and step == 0,
 		"v is zero: (−y, x) is (0, 0), which is no normal": is_zero and step == 1,
@@ -98,7 +98,7 @@ func _claims_of_card() -> Dictionary[String, bool]:
 		"y points down": not _is_y_up,
 		"y points up": _is_y_up,
 		"The zero vector": _is_zero(),
-		"has no normal: it is 0": _is_zero(),
+		"has no direction and no normal": _is_zero(),
 		"Here the mistake": _can_hide(),
 		"does not show": _can_hide(),
 		"from v, not +90°": is_about_angle and _y != 0.0,
@@ -133,8 +133,8 @@ func _problem_of_card_numbers(lines: PackedStringArray) -> String:
 			var wanted := "(0, 0)" if _mistake == 7 else "(NaN, NaN)"
 			if line != "wrong: " + wanted:
 				return "it is %s: “%s”" % [wanted, line]
-		var shown := SeenLesson.number_behind("(y, x):", line)
-		if is_nan(shown) or not line.ends_with("not +90°"):
+		var shown := SeenLesson.degrees_behind("(y, x):", line)
+		if is_nan(shown) or not in_degrees(line).ends_with("not +90°"):
 			continue
 		var degrees := wrapf(90.0 - 2.0 * rad_to_deg(atan2(_y, _x)), -180.0, 180.0)
 		var off := absf(wrapf(shown - degrees, -180.0, 180.0))
@@ -180,6 +180,7 @@ func _claims_of_labels(seen: SeenLesson) -> Dictionary[String, bool]:
 		"n": not _is_zero() and (_mistake != 0 or seen.step >= 1),
 		"−n": is_plain and seen.step >= 2,
 		"n̂": is_about_unit or is_plain and seen.step >= 3,
+		"v̂": is_plain and seen.step == 3,
 		"✗ (y, x)": _mistake == 9 and not _is_zero(),
 		"✗ (y, −x)": _mistake == 9 and not _is_zero(),
 		"✗ (0, 0)": _mistake == 7 and _can_show(),

@@ -5,7 +5,7 @@ extends RefCounted
 const CASES: Array[Dictionary] = [
 	{
 		id = &"normals",
-		state = {line = [0, 0, 3, -4], times = 2.0, is_y_up = false, mistake = 0},
+		state = {line = [0, 0, 3, -4], times = 2.0, mistake = 0},
 		step = [4, 3, 0],
 		verdict_sign = ["+", "0", "✗", "="],
 		verdict =
@@ -13,7 +13,7 @@ const CASES: Array[Dictionary] = [
 			["+90° turns clockwise", "y points down"],
 			["+90° turns counter-clockwise", "y points down"],
 			["+90° turns clockwise", "y points up"],
-			["The zero vector", "has no normal: it is 0."],
+			["The zero vector", "has no direction and no normal"],
 			["+90° turns clockwise", "(y, −x): −90°, the other side"],
 			["+90° turns clockwise", "something new"],
 			[],
@@ -25,7 +25,8 @@ const CASES: Array[Dictionary] = [
 			"v is zero: there is no n̂ to draw.",
 			"Mistake 9 is on: n, and what two wrong formulas make of v.",
 		],
-		labels = [["v", "n", "−n", "n̂", "2 n̂"], ["3 n̂"], ["✗ (0, 0)"], ["✗ (y, x)"], ["q"]],
+		labels =
+		[["v", "n", "−n", "n̂", "2 n̂"], ["3 n̂"], ["v̂"], ["✗ (0, 0)"], ["✗ (y, x)"], ["q"]],
 		rows =
 		[
 			[["by the angle", "(0.8, 0.6)", "1e−16"]],
@@ -37,7 +38,7 @@ const CASES: Array[Dictionary] = [
 	},
 	{
 		id = &"normals",
-		state = {line = [0, 0, 0.3, 0.4], times = 2.0, is_y_up = false, mistake = 7},
+		state = {line = [0, 0, 0.3, 0.4], times = 2.0, mistake = 7},
 		step = [0],
 		verdict_sign = ["✗", "="],
 		verdict =

@@ -7,9 +7,10 @@ const _NOTHING := 1e-15
 
 # The steps, counted from 0.
 const _RESET := 1
-const _WAYS := 2
-const _FRACTION := 3
-const _IMPACT := 4
+const _DISTANCES := 2
+const _WAYS := 3
+const _FRACTION := 4
+const _IMPACT := 5
 
 const _OVER_NEW := 15
 const _UNSIGNED := 16
@@ -185,11 +186,12 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 	return {
 		"One frame moves the ball by v": step == 0 and not _is_at_rest,
 		"Old and new are the same point": step == 0 and _is_at_rest,
-		"Position reset: back along n̂ to the good side": step == _RESET and _is_reset(),
+		"Position reset: back along n̂ until the ball touches": step == _RESET and _is_reset(),
 		"Position reset: new does not overlap the line": step == _RESET and _is_new_free(),
-		"Now old and new are distances from the line": step == _WAYS,
+		"old and new are now distances from the line, below 0 behind it": step == _DISTANCES,
+		"a = old − r is the way along n̂ to the contact": step == _WAYS,
 		"Compare the t of the mistake": is_compared,
-		"t = a / b is the share of the frame until the contact": is_fraction and _is_in_frame(),
+		"0 is the start of the frame, 1 its end": is_fraction and _is_in_frame(),
 		"t is below 0: the contact lies before this frame": is_fraction and _overlaps(),
 		"t is above 1: the contact lies after this frame": is_fraction and _is_too_far(),
 		"b is 0: there is nothing to divide by": is_fraction and _is_parallel(),
@@ -213,6 +215,9 @@ func _claims_of_card() -> Dictionary[String, bool]:
 	return {
 		", within 0..1": _is_in_frame(),
 		"it touches in this frame": _is_in_frame(),
+		"it touches at the start of the frame, in old": _is_in_frame() and absf(_a) <= _off,
+		"it touches at the end of the frame, in new":
+		_is_in_frame() and absf(_new - _radius) <= _off,
 		", below 0": _overlaps(),
 		"too close already: contact at once": _overlaps() and _old > -_off,
 		"behind the line already: contact at once": _overlaps() and _can_be_below_0(_old),
@@ -283,18 +288,22 @@ func _place_off() -> float:
 
 func _problem_of_labels(labels: PackedStringArray, step: int) -> String:
 	var is_compared := _mistake != 0 and step >= _FRACTION
-	var is_reset := step >= _RESET and _is_reset() and not is_compared
+	var is_reset := step in [_RESET, _IMPACT] and _is_reset() and not is_compared
 	var is_so: Dictionary[String, bool] = {
 		"line": true,
 		"v": true,
 		"new": true,
 		"old": step < _IMPACT or not _overlaps() or _can_be_at_contact(),
-		"old = POI": step == _IMPACT and _overlaps(),
+		"old = POI": step == _IMPACT and (_overlaps() or absf(_a) <= _off),
 		"reset": is_reset,
 		"POI": step == _IMPACT and _is_in_frame(),
 		"wrong": is_compared,
 	}
 	var wanted: Dictionary[String, float] = {"t = ": _moment}
+	if step == _DISTANCES:
+		wanted["old "] = _old
+		wanted["new "] = _new
+		wanted["r "] = _radius
 	if step >= _WAYS:
 		wanted["a "] = _a
 		wanted["b "] = _b

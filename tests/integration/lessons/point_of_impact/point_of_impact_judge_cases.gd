@@ -11,7 +11,7 @@ const CASES: Array[Dictionary] = [
 	{
 		id = &"point_of_impact",
 		state = _FRAME,
-		step = [4],
+		step = [5],
 		verdict_sign = ["!", "×"],
 		verdict =
 		[
@@ -33,7 +33,7 @@ const CASES: Array[Dictionary] = [
 			"The contact is at the start of the frame: t counts as 0.",
 			"No impact in this frame: the ball may go to new.",
 			"Compare the t of the mistake with the right one.",
-			"t = a / b is the share of the frame until the contact. It counts only within 0..1.",
+			"t = a / b: 0 is the start of the frame, 1 its end. Only within 0..1 it touches in this frame.",
 		],
 		rows =
 		[
@@ -61,7 +61,7 @@ const CASES: Array[Dictionary] = [
 		id = &"point_of_impact",
 		state =
 		{old = [3, -4], new = [3, -29], line = _LINE, radius = 10, moment = 0, mistake = 17},
-		step = [3],
+		step = [4],
 		verdict_sign = ["×", "!"],
 		verdict =
 		[
@@ -88,7 +88,7 @@ const CASES: Array[Dictionary] = [
 	{
 		id = &"point_of_impact",
 		state = {old = [0, 0], new = [40, 30], line = _LINE, radius = 10, moment = 0, mistake = 0},
-		step = [4],
+		step = [5],
 		verdict_sign = ["×", "!"],
 		verdict =
 		[
@@ -110,12 +110,12 @@ const CASES: Array[Dictionary] = [
 		step = [1],
 		sentence =
 		[
-			"Position reset: back along n̂ to the good side, until the ball touches.",
+			"The line has one good side, that of n̂. Position reset: back along n̂ until the ball touches.",
 			"Position reset: new does not overlap the line, so nothing is moved.",
 			"Old and new are the same point: the ball does not move.",
 			"One frame moves the ball by v, from old to new.",
 			"Compare the t of the mistake with the right one.",
-			"Now old and new are distances from the line: a = old − r.",
+			"a = old − r is the way along n̂ to the contact, b = old − new that of the whole frame.",
 		],
 		verdict = [[], ["t = −2.267, below 0"]],
 		lines = [["v = new − old"], ["wrong: 40 / 80 = 0.5"]],
@@ -124,7 +124,7 @@ const CASES: Array[Dictionary] = [
 	{
 		id = &"point_of_impact",
 		state = {old = [6, 60], new = [6, 90], line = _LINE, radius = 10, moment = 0, mistake = 0},
-		step = [3],
+		step = [4],
 		verdict_sign = ["!", "×"],
 		verdict =
 		[
@@ -136,9 +136,32 @@ const CASES: Array[Dictionary] = [
 		[
 			"t is below 0: the contact lies before this frame.",
 			"t is above 1: the contact lies after this frame.",
-			"t = a / b is the share of the frame until the contact. It counts only within 0..1.",
+			"t = a / b: 0 is the start of the frame, 1 its end. Only within 0..1 it touches in this frame.",
 			"b is 0: there is nothing to divide by, so there is no t.",
 			"b is below 0: the ball moves away, and t does not count.",
 		],
+	},
+	{
+		id = &"point_of_impact",
+		state = {old = [6, -8], new = [6, 42], line = _LINE, radius = 10, moment = 0, mistake = 0},
+		step = [5],
+		verdict =
+		[
+			["t = 0, within 0..1", "it touches at the start of the frame, in old"],
+			["t = 0, within 0..1", "it touches at the end of the frame, in new"],
+		],
+		sentence = ["POI = old + t v is on the path. The reset is not."],
+		labels = [["old = POI", "new", "a 0"], ["old 10"]],
+	},
+	{
+		id = &"point_of_impact",
+		state = _FRAME,
+		step = [2],
+		sentence =
+		[
+			"Measure along n̂: old and new are now distances from the line, below 0 behind it.",
+			"a = old − r is the way along n̂ to the contact, b = old − new that of the whole frame.",
+		],
+		labels = [["old 50", "new −30", "r 10"], ["new 30"], ["r 5"], ["a 40"], ["reset"]],
 	},
 ]

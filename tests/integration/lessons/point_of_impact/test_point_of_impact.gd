@@ -150,20 +150,52 @@ func test_undo_redo_and_reset() -> void:
 
 
 func test_steps_build_the_drawing_and_the_formula_up() -> void:
-	var parts: Array[String] = ["%Motion", "%Reset", "%A", "%Impact"]
-	assert_eq(seen(parts), [true, true, true, true])
-	for i: int in 4:
+	var parts: Array[String] = ["%Motion", "%Reset", "%OldDistance", "%A", "%Impact"]
+	assert_eq(seen(parts), [true, true, false, true, true])
+	for i: int in 5:
 		await student.press(&"lab_previous_step")
-	assert_eq(seen(parts), [true, false, false, false])
+	assert_eq(seen(parts), [true, false, false, false, false])
 	assert_eq(formula_lines().size(), 3)
 	await student.press(&"lab_next_step")
-	assert_eq(seen(parts), [true, true, false, false])
+	assert_eq(seen(parts), [true, true, false, false, false])
 	assert_has(formula_lines(), "reset = new + (10 − (−30)) n̂ = (30, 10)")
 	await student.press(&"lab_next_step")
-	assert_eq(seen(parts), [true, true, true, false])
+	assert_eq(seen(parts), [true, false, true, false, false])
+	assert_has(formula_lines(), "old distance = 50     new distance = −30")
+	await student.press(&"lab_next_step")
+	assert_eq(seen(parts), [true, false, false, true, false])
 	await go_to_step()
-	assert_eq(seen(parts), [true, true, true, true])
+	assert_eq(seen(parts), [true, true, false, true, true])
 	assert_has(formula_lines(), "POI = old + t v = (6, −8)")
+
+
+func test_the_three_lengths_are_measured_from_the_line() -> void:
+	await go_to_step(PointOfImpactTexts.Step.DISTANCES)
+	var wanted: Dictionary[String, String] = {
+		"%OldDistance": "old 50", "%NewDistance": "new −30", "%Radius": "r 10"
+	}
+	for part in wanted:
+		var length := frame().lesson.get_node(part) as DimensionLine
+		assert_eq(length.label, wanted[part])
+		var measured := length.from.distance_to(length.to)
+		assert_almost_eq(measured, absf(NumberText.parse(wanted[part].get_slice(" ", 1))), 1e-4)
+
+
+func test_both_ends_of_the_frame_count() -> void:
+	await click_button("t = 0")
+	assert_reads("it touches at the start of the frame, in old")
+	assert_eq((frame().lesson.get_node("%ImpactName") as BallName).label, "old = POI")
+	await click_button("t = 1")
+	assert_reads("it touches at the end of the frame, in new")
+	assert_eq((frame().lesson.get_node("%ImpactName") as BallName).label, "POI")
+
+
+func test_a_fraction_is_an_answer() -> void:
+	var question := frame().lesson.services[&"question"] as Question
+	question.folded = false
+	await student.settle()
+	await student.enter(field("t ="), "0/5")
+	assert_reads("0 is not it yet")
 
 
 func test_each_mistake_shows_its_wrong_share_beside_the_right_one() -> void:
@@ -222,6 +254,7 @@ func test_a_mistake_picked_at_the_first_step_leads_to_the_step_of_t() -> void:
 
 
 func test_the_ghost_shows_a_moment_of_the_frame() -> void:
+	await go_to_step(PointOfImpactTexts.Step.FRACTION)
 	await drag(Vec2.new(6, -38), Vec2.new(30, 22))
 	var moment: float = frame().lesson.state()["moment"]
 	assert_almost_eq(moment, 0.8, 1e-12)

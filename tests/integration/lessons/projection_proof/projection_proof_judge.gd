@@ -25,7 +25,8 @@ func problem(seen: SeenLesson) -> String:
 			_problem_of_card(seen),
 			_problem_of_lines(seen.lines),
 			_problem_of_rows(seen),
-			false_label(seen.labels, _claims_of_labels(seen.step)),
+			false_label(_without_numbers(seen.labels), _claims_of_labels(seen.step)),
+			false_number(seen.labels, {"bx = ": _b[0], "by = ": _b[1]}, 0.0),
 			"" if not seen.notice else "nothing was refused: “%s”" % seen.notice,
 		]
 	)
@@ -215,6 +216,15 @@ func _problem_of_row(row: PackedStringArray) -> String:
 	if not SeenLesson.is_close(SeenLesson.first_number(row[1]), _turned_x, off):
 		return "it is %s: “%s”" % [_turned_x, "  ".join(row)]
 	return ""
+
+
+# `bx = 8` is `bx`; its number is judged by itself.
+static func _without_numbers(labels: PackedStringArray) -> PackedStringArray:
+	var found: PackedStringArray = []
+	for label in labels:
+		var is_side := label.begins_with("bx = ") or label.begins_with("by = ")
+		found.append(label.left(2) if is_side else label)
+	return found
 
 
 func _claims_of_labels(step: int) -> Dictionary[String, bool]:

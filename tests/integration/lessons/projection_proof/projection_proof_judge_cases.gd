@@ -48,6 +48,13 @@ const CASES: Array[Dictionary] = [
 	},
 	{
 		id = &"projection_proof",
+		state = {a = [7, 1], b = [8, -6]},
+		step = [4],
+		sentence = ["The triangle of b holds cos β and sin β: its sides divided by |b|."],
+		labels = [["a", "b", "a′", "b′", "p", "bx = 8", "by = −6"], ["bx = 7"], ["by = 6"], ["ax"]],
+	},
+	{
+		id = &"projection_proof",
 		state = {a = [7, 1], b = [0, 0]},
 		step = [3],
 		verdict_sign = ["0", "="],

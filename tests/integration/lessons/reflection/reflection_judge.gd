@@ -17,6 +17,7 @@ const _SPLIT := 1
 const _SLIDE := 2
 const _MIRROR := 3
 const _BOUNCE := 4
+const _NEXT_FRAME := 5
 
 var _step: int
 var _vx: float
@@ -164,14 +165,14 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 	var has_part := not _is_refused and _can_have_part()
 	var off := _ROUNDING * _speed
 	return {
-		"A ball with velocity v meets a line. n is the line's unit normal": moves and _step == 0,
+		"A ball with velocity v meets a line. n̂ is the line's unit normal": moves and _step == 0,
 		"n does not have length 1. reflect refuses it, and v stays": _is_refused,
 		"v = 0: the ball does not move": not _is_refused and _is_at_rest(),
-		"v · n = 0: no part of v goes into the line. v stays":
+		"v · n̂ = 0: no part of v goes into the line. v stays":
 		moves and _step > 0 and _can_be_along(),
-		"v · n < 0: n points to the ball's side. (v · n) n is the part of v along n":
+		"v · n̂ < 0: n̂ points to the ball's side. (v · n̂) n̂ is the part of v along n̂":
 		has_part and _step == _SPLIT and _across < off,
-		"v · n > 0: n points to the other side. (v · n) n is the part of v along n":
+		"v · n̂ > 0: n̂ points to the other side. (v · n̂) n̂ is the part of v along n̂":
 		has_part and _step == _SPLIT and _across > -off,
 		"Subtract that part once: nothing is left of v. The ball stops":
 		has_part and _step == _SLIDE and _can_be_head_on(),
@@ -179,7 +180,13 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		has_part and _step == _SLIDE and _can_slide(),
 		"Subtract it twice: the law of reflection. Both angles are equal":
 		has_part and _step == _MIRROR,
-		"Subtract it (1 + C) times. C is the bounciness": has_part and _step == _BOUNCE,
+		"Subtract it (1 + C) times. C is the coefficient": has_part and _step == _BOUNCE,
+		"Reflect only if v · n̂ < 0: now it is 0, v stays":
+		has_part and _step == _NEXT_FRAME and _bounciness * absf(_across) <= off,
+		"Reflect only if v · n̂ < 0: now it is above 0, v stays":
+		has_part and _step == _NEXT_FRAME and _bounciness > 0.0 and _across < off,
+		"Reflect only if v · (−n̂) < 0, −n̂ being on its side: v stays":
+		has_part and _step == _NEXT_FRAME and _bounciness > 0.0 and _across > -off,
 	}
 
 
@@ -202,9 +209,10 @@ func _claims_of_card() -> Dictionary[String, bool]:
 	return {
 		"v = 0: the ball does not move": _is_at_rest(),
 		"it moves along the line": _can_be_along(),
-		"° to the normal, and it stops": has_angles and _can_stop(),
-		"° to the normal": has_angles and _length(_along, (_times() - 1.0) * _across) > 0.0,
+		" to the normal, and it stops": has_angles and _can_stop(),
+		" to the normal": has_angles and _length(_along, (_times() - 1.0) * _across) > 0.0,
 		"% of its energy": not _is_at_rest(),
+		"fully elastic: it keeps all its energy": _can_have_part() and _times() == 2.0,
 		"the mistake says: ": _can_show(),
 		"the mistake changes nothing here": _can_hide(),
 	}
@@ -228,14 +236,16 @@ func _problem_of_sign(sign_text: String) -> String:
 
 func _problem_of_card_numbers(lines: PackedStringArray) -> String:
 	for line in lines:
-		var degrees := SeenLesson.number_behind("in ", line)
-		if line.contains("° to") and not SeenLesson.is_close(degrees, _degrees_in(), 1e-12):
+		var degrees := SeenLesson.degrees_behind("in ", line)
+		var is_close := SeenLesson.is_close_angle(degrees, _degrees_in(), 1e-12)
+		if line.contains(" to the") and not is_close:
 			return "it comes in at %s°: “%s”" % [_degrees_in(), line]
-		degrees = SeenLesson.number_behind("out ", line)
-		if line.contains("out ") and not SeenLesson.is_close(degrees, _degrees_out(), _out_off()):
+		degrees = SeenLesson.degrees_behind("out ", line)
+		is_close = SeenLesson.is_close_angle(degrees, _degrees_out(), _out_off())
+		if line.contains("out ") and not is_close:
 			return "it goes out at %s°: “%s”" % [_degrees_out(), line]
 		var percent := SeenLesson.number_behind("keeps ", line)
-		if line.contains("keeps ") and not _is_percent(percent, 100.0 * _energy()):
+		if line.contains("% of its energy") and not _is_percent(percent, 100.0 * _energy()):
 			return "it keeps %s %%: “%s”" % [100.0 * _energy(), line]
 		if line.begins_with("the mistake says: "):
 			var wrong := _wrong()
@@ -277,12 +287,13 @@ func _problem_of_labels(labels: PackedStringArray) -> String:
 	var turns := absf(_degrees_in() - _degrees_out()) > 0.5 * _SLACK or _can_stop()
 	var claims: Dictionary[String, bool] = {
 		"v in": true,
-		"n": true,
-		"v": is_split,
-		"(v·n) n": is_split and _step == _SPLIT,
-		"slide": is_split and _step >= _SLIDE and _can_slide(),
-		"−(v·n) n": is_split and _step >= _SLIDE and _can_have_part(),
-		"−C (v·n) n": is_split and _step == _BOUNCE and _can_have_part(),
+		"n": _is_refused,
+		"n̂": not _is_refused,
+		"v": is_split and _step < _NEXT_FRAME,
+		"(v·n̂) n̂": is_split and (_step == _SPLIT or _step == _NEXT_FRAME) and _can_have_part(),
+		"slide": is_split and _step >= _SLIDE and _step < _NEXT_FRAME and _can_slide(),
+		"−(v·n̂) n̂": is_split and _step >= _SLIDE and _step < _NEXT_FRAME and _can_have_part(),
+		"−C (v·n̂) n̂": is_split and _step == _BOUNCE and _can_have_part(),
 		"C = 1": is_split and _step == _BOUNCE and _mistake == 0 and turns,
 		"v out": is_split and _step >= _MIRROR,
 		"wrong": _can_show(),
@@ -298,13 +309,13 @@ func _problem_of_labels(labels: PackedStringArray) -> String:
 
 # Godot's own calls, each with ours that is the same, its value and its error.
 func _problem_of_table(labels: PackedStringArray) -> String:
-	var at := labels.find("bounce(n)")
+	var at := labels.find("bounce(n̂)")
 	if at < 0:
 		return "" if _step != _BOUNCE else "the table of Godot's calls is missing"
 	var answers: Array[PackedFloat64Array] = [
 		_velocity(-_across, _along), _velocity(0.0, _along), _velocity(_across, -_along)
 	]
-	var ours: PackedStringArray = ["reflect(n, 1)", "reflect(n, 0)", "−reflect(n, 1)"]
+	var ours: PackedStringArray = ["reflect(n̂, 1)", "reflect(n̂, 0)", "−reflect(n̂, 1)"]
 	for i in answers.size():
 		var row := labels.slice(at + 4 * i, at + 4 * i + 4)
 		if _is_refused:

@@ -6,7 +6,7 @@ extends ScreenTest
 func before_each() -> void:
 	super()
 	await open_lesson(LessonIndex.find(&"reflection"))
-	await go_to_step()
+	await go_to_step(ReflectionModel.Step.BOUNCE)
 
 
 func after_each() -> void:
@@ -16,16 +16,16 @@ func after_each() -> void:
 
 func test_it_starts_with_the_reflection_of_the_lecture() -> void:
 	_assert_numbers("velocity", [3, 4])
-	assert_has(_lines(), "v − (1 + C)(v · n) n = (3, 4) − 2 (0, 4) = (3, −4)")
+	assert_has(_lines(), "v − (1 + C)(v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)")
 	assert_reads("in 36.87°, out 36.87° to the normal")
 
 
 func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 	var wanted: Array[String] = [
-		"v − (1 + C)(v · n) n = (3, 4) − 2 (0, 4) = (3, −4)",
-		"v − 2 (v · n) n = (3, 4) − 2 (0, 4) = (3, −4)",
-		"v − (v · n) n = (3, 4) − (0, 4) = (3, 0)",
-		"(v · n) n = (−4) (0, −1) = (0, 4)",
+		"v − (1 + C)(v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)",
+		"v − 2 (v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)",
+		"v − (v · n̂) n̂ = (3, 4) − (0, 4) = (3, 0)",
+		"(v · n̂) n̂ = (−4) (0, −1) = (0, 4)",
 	]
 	for line: String in wanted:
 		assert_eq(_lines()[-1], line)
@@ -133,7 +133,7 @@ func test_a_normal_that_is_not_unit_is_refused_with_its_length() -> void:
 
 func test_godots_methods_stand_beside_with_their_errors() -> void:
 	var table := frame().lesson.get_node("%Table") as Control
-	for text: String in ["bounce(n)", "slide(n)", "−reflect(n, 1)", "(−3, 4)", "(3, 0)"]:
+	for text: String in ["bounce(n̂)", "slide(n̂)", "−reflect(n̂, 1)", "(−3, 4)", "(3, 0)"]:
 		assert_true(Screen.reads(table, text), text)
 	await click_button("Angled")
 	assert_true(Screen.reads(table, "e−7"), "the 32 bits show in the errors")
@@ -186,7 +186,7 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	var pairs := RegEx.create_from_string("\\((-?\\d+), (-?\\d+)\\)").search_all(prompt)
 	var velocity := Vec2.new(pairs[0].get_string(1).to_float(), pairs[0].get_string(2).to_float())
 	await _answer(question, velocity.negated())
-	assert_reads("turns the ball back on its way")
+	assert_reads("All of v was turned")
 	await student.click(question.get_node("%Show") as Control)
 	assert_vec2(_model().velocity, velocity, 0.0)
 	await _answer(question, _model().reflected())
@@ -262,6 +262,41 @@ func test_a_ball_at_rest_makes_no_angle() -> void:
 	await _enter("y of v", "0")
 	assert_reads("v = 0: the ball does not move")
 	assert_false(_is_drawn("%AngleIn"))
+
+
+func test_in_the_next_frame_the_ball_moves_away_and_is_left_alone() -> void:
+	await student.press(&"lab_next_step")
+	assert_reads("Reflect only if v · n̂ < 0: now it is above 0, v stays")
+	assert_eq(_lines()[-1], "(3, −4) · n̂ = 3·0 + (−4)·(−1) = 4")
+	await _enter("y of v", "-4")
+	assert_reads("−n̂ being on its side")
+	assert_eq(_lines()[-1], "(3, 4) · (−n̂) = 3·0 + 4·1 = 4")
+	await _enter("bounciness C, 0 to 1", "0")
+	assert_reads("now it is 0, v stays")
+
+
+func test_v_out_has_its_name_beside_it_where_its_head_is_crowded() -> void:
+	var leaving := frame().lesson.get_node("%Leaving") as Arrow
+	assert_eq(leaving.label_place, Arrow.LabelPlace.HEAD)
+	for preset: String in ["Along", "Head-on"]:
+		await click_button(preset)
+		assert_eq(leaving.label_place, Arrow.LabelPlace.MIDDLE, preset)
+	await click_button("Along")
+	assert_false(_is_drawn("%Slide"), "it would lie on v out")
+
+
+func test_table_and_card_give_way_to_a_ball_from_any_side() -> void:
+	var handle := frame().lesson.get_node("%ComingTail") as Control
+	for coming: Vector2i in [Vector2i(3, 4), Vector2i(3, -4), Vector2i(-3, -4), Vector2i(-3, 4)]:
+		await _enter("x of v", str(coming.x))
+		await _enter("y of v", str(coming.y))
+		for card: String in ["%Table", "%Verdict"]:
+			var place := (frame().lesson.get_node(card) as Control).get_global_rect()
+			var middle := handle.get_global_rect().get_center()
+			assert_false(place.grow(10.0).has_point(middle), "%s for %s" % [card, coming])
+		var table := frame().lesson.get_node("%Table") as Control
+		var verdict := frame().lesson.get_node("%Verdict") as Control
+		assert_false(table.get_global_rect().intersects(verdict.get_global_rect()))
 
 
 func test_mistake_13_gives_the_bounciness_back() -> void:

@@ -50,8 +50,9 @@ func test_in_no_preset_a_ball_overlaps_a_line_at_the_start() -> void:
 		assert_gt(deepest, -1e-9, AngledLinesPresets.TITLES[preset])
 
 
+# Week 4 comes with position reset, which keeps no energy.
 func test_no_ball_is_lost_and_no_energy_in_ten_seconds_of_any_preset() -> void:
-	for preset: int in AngledLinesPresets.TITLES.size():
+	for preset: int in AngledLinesPresets.WEEK_4:
 		var model := AngledLinesModel.new()
 		model.set_up(preset)
 		for frame: int in 600 if preset != 8 else 120:
@@ -73,7 +74,7 @@ func test_once_a_second_all_balls_of_the_cradle_are_back() -> void:
 func test_position_reset_loses_the_ball_of_the_tunnelling_preset() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(5)
-	model.set_method(SteppingMethods.Method.POSITION_RESET)
+	assert_eq(model.set_method(SteppingMethods.Method.POSITION_RESET), "")
 	for frame: int in 60:
 		model.step()
 	assert_eq(model.world.lost_count(), 1)
@@ -166,7 +167,7 @@ func test_a_jammed_ball_is_told_by_the_step_and_by_the_comparison() -> void:
 		pass
 	model.step()
 	assert_eq(model.refusal + comparison.refusal(SteppingMethods.Method.WHOLE_FRAME), "")
-	model.set_method(SteppingMethods.Method.EVENT_WORLD)
+	assert_eq(model.set_method(SteppingMethods.Method.EVENT_WORLD), "")
 	model.step()
 	var exact := SteppingMethods.Method.EVENT_WORLD
 	for sentence: String in [model.refusal, comparison.refusal(exact)]:
@@ -207,7 +208,7 @@ func test_the_forecast_is_what_happens() -> void:
 func test_no_energy_is_told_where_there_is_none_or_a_ball_took_it_along() -> void:
 	var model := AngledLinesModel.new()
 	model.set_up(5)
-	model.set_method(SteppingMethods.Method.POSITION_RESET)
+	assert_eq(model.set_method(SteppingMethods.Method.POSITION_RESET), "")
 	for frame: int in 60:
 		model.step()
 	assert_true(is_nan(model.energy_share(model.world)), "lost")
@@ -233,12 +234,12 @@ func test_a_lost_ball_has_no_error_and_energy_from_nothing_is_marked() -> void:
 func test_a_mistake_is_not_shown_beside_the_way_that_makes_it() -> void:
 	var model := AngledLinesModel.new()
 	model.set_mistake(24)
-	model.set_method(SteppingMethods.Method.POINT_OF_IMPACT)
+	assert_eq(model.set_method(SteppingMethods.Method.POINT_OF_IMPACT), "")
 	assert_eq(model.mistake, 0)
 	assert_null(model.wrong_world)
-	model.set_method(SteppingMethods.Method.WHOLE_FRAME)
+	assert_eq(model.set_method(SteppingMethods.Method.WHOLE_FRAME), "")
 	model.set_mistake(26)
-	model.set_method(SteppingMethods.Method.POINT_OF_IMPACT)
+	assert_eq(model.set_method(SteppingMethods.Method.POINT_OF_IMPACT), "")
 	assert_eq(model.mistake, 26)
 
 
@@ -346,3 +347,35 @@ func _row_after(
 static func _jammed() -> SteppedWorld:
 	var lines: Array[Vector4] = [Vector4(-50, 5, 50, 5), Vector4(-50, -5, 50, -5)]
 	return SteppedWorlds.world(lines, Ball.new(Vec2.new(), 5.0, Vec2.new(0.0, 1000.0)))
+
+
+func test_week_4_puts_up_endless_lines_and_another_preset_takes_them_away() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(AngledLinesPresets.WEEK_4)
+	assert_true(model.has_endless_lines)
+	assert_eq(model.method, SteppingMethods.Method.POSITION_RESET)
+	model.step()
+	assert_lt(model.world.balls[1].position.y, 0.0, "a ball behind a line is put before it")
+	model.set_up(3)
+	assert_false(model.has_endless_lines)
+
+
+func test_with_endless_lines_every_other_way_of_stepping_is_refused() -> void:
+	var model := AngledLinesModel.new()
+	model.set_endless_lines(true)
+	for method: SteppingMethods.Method in SteppingMethods.Method.values():
+		var is_known := method == SteppingMethods.Method.POSITION_RESET
+		assert_eq(model.set_method(method) == "", is_known)
+		assert_true(model.world.mover is EndlessLineMover)
+	model.set_endless_lines(false)
+	assert_no_refusal(model.set_method(SteppingMethods.Method.EVENT_WORLD))
+
+
+func test_the_kind_of_line_is_kept_for_undo() -> void:
+	var model := AngledLinesModel.new()
+	model.set_up(AngledLinesPresets.WEEK_4)
+	var stored := model.to_dictionary()
+	model.set_endless_lines(false)
+	model.from_dictionary(stored)
+	assert_true(model.has_endless_lines)
+	assert_true(model.world.mover is EndlessLineMover)

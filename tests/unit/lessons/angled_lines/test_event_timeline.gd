@@ -122,7 +122,7 @@ func test_the_page_turns_after_ten_seconds() -> void:
 func test_the_event_world_switches_mistakes_off_and_a_mistake_the_event_world() -> void:
 	var model := AngledLinesModel.new()
 	model.set_mistake(24)
-	model.set_method(SteppingMethods.Method.EVENT_WORLD)
+	assert_eq(model.set_method(SteppingMethods.Method.EVENT_WORLD), "")
 	assert_eq(model.mistake, 0)
 	assert_not_null(model.timeline)
 	model.set_mistake(21)
@@ -141,7 +141,7 @@ func test_a_stored_moment_is_put_back() -> void:
 func _model(preset: int) -> AngledLinesModel:
 	var model := AngledLinesModel.new()
 	model.set_up(preset)
-	model.set_method(SteppingMethods.Method.EVENT_WORLD)
+	assert_eq(model.set_method(SteppingMethods.Method.EVENT_WORLD), "")
 	return model
 
 

@@ -35,7 +35,10 @@ func test_right_answers_have_two_decimals_at_most() -> void:
 
 
 func test_the_components_are_whole_and_none_is_zero() -> void:
+	# By angles a length and two angles are given, and no components.
 	for exercise: ProjectionExercise in _all():
+		if exercise in _exercises[ProjectionExercise.Kind.PRIMITIVE]:
+			break
 		for number: float in [exercise.a.x, exercise.a.y, exercise.b.x, exercise.b.y]:
 			if number == 0.0 or number != roundf(number):
 				fail_test("%s in %s" % [number, exercise.prompt])
@@ -80,7 +83,7 @@ func _answer(kind: ProjectionExercise.Kind, a: Vec2, b: Vec2) -> PackedFloat64Ar
 	match kind:
 		ProjectionExercise.Kind.DOT:
 			return [dot]
-		ProjectionExercise.Kind.SCALAR:
+		ProjectionExercise.Kind.SCALAR, ProjectionExercise.Kind.PRIMITIVE:
 			return [dot / sqrt(square)]
 	return [b.x * dot / square, b.y * dot / square]
 

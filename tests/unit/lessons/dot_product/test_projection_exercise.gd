@@ -13,7 +13,7 @@ const _SCALAR: Dictionary[float, String] = {
 	0.5: "Divided by |b| twice: a · b / |b| is enough for the scalar.",
 	7.07: "That is b on a: a · b\u0302 is not b · â.",
 	-50.0: "The sign is wrong, and b was not normalized.",
-	-5.0: "The sign is wrong: negative beyond 90 degrees, positive below.",
+	-5.0: "The sign is wrong: negative beyond 90°, positive below.",
 }
 
 
@@ -27,6 +27,27 @@ func test_the_right_answers_of_the_lecture() -> void:
 	assert_true(_lecture(ProjectionExercise.Kind.DOT).check([50.0]).is_right)
 	assert_true(_lecture(ProjectionExercise.Kind.SCALAR).check([5.0]).is_right)
 	assert_true(_lecture(ProjectionExercise.Kind.VECTOR).check([4.0, -3.0]).is_right)
+
+
+func test_the_solutions_of_the_lecture() -> void:
+	var solutions: PackedStringArray = [
+		"a · b = 7·8 + 1·(−6) = 50",
+		"a · b\u0302 = a · b / |b| = 50 / 10 = 5",
+		"p = (a · b\u0302) b\u0302 = 5 (0.8, −0.6) = (4, −3)",
+		"|a| cos(α − β) = 7.071·cos 45° = 5",
+	]
+	for kind: ProjectionExercise.Kind in ProjectionExercise.Kind.values():
+		assert_eq(ProjectionExercise.of_the_lecture(kind).solution(), solutions[kind])
+
+
+func test_the_primitive_way_is_asked_by_length_and_angles() -> void:
+	var exercise := ProjectionExercise.of_the_lecture(ProjectionExercise.Kind.PRIMITIVE)
+	assert_string_contains(
+		exercise.prompt, "|a| = 7.071, its angle is α = 8.13°, that of b is β = −36.87°"
+	)
+	assert_true(exercise.check([7.071 * cos(deg_to_rad(45.0))]).is_right)
+	assert_eq(exercise.check([7.0]).sentence, "That is |a| cos α: take β off first.")
+	assert_string_contains(exercise.check([0.7071]).sentence, "still has to be multiplied by |a|")
 
 
 func test_each_known_mistake_of_the_dot_product_is_named() -> void:

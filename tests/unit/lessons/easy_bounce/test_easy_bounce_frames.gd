@@ -131,7 +131,7 @@ func test_a_radius_or_tilt_out_of_range_is_refused_with_the_value_and_the_range(
 	)
 	assert_eq(
 		EasyBounceModel.number_problem("tilt", 60.0),
-		"The tilt must be within −45 and 45°, not 60°."
+		"The tilt must be within −45° and 45°, not 60°."
 	)
 	assert_eq(EasyBounceModel.number_problem("tilt", -45.0), "")
 	assert_eq(EasyBounceModel.number_problem("px", -5.0), "")

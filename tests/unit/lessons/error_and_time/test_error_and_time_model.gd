@@ -1,6 +1,8 @@
 extends LabTest
 ## Tests of the lesson on error and run time: what is chosen, what is kept, frontier and order.
 
+const CollectTexts := preload("res://tools/texts/collect_texts.gd")
+
 
 ## A problem with two situations and known answers.
 class FakeProblem:
@@ -122,13 +124,40 @@ func test_there_is_no_order_without_an_error_or_an_answer() -> void:
 
 
 func test_every_name_of_every_problem_is_known_to_the_translation() -> void:
-	var known := preload("res://tools/texts/collect_texts.gd").messages()
+	var known := CollectTexts.messages()
 	var unknown: Array[String] = []
 	for text in _all_names():
 		if not text in unknown and RegEx.create_from_string("\\p{L}{3}").search(text):
 			if not known.has(MeasuredTexts.pattern(text)):
 				unknown.append(text)
 	assert_eq(unknown, [] as Array[String], "these texts are missing in measured_texts.gd")
+
+
+# As the cases make them, with their numbers.
+func test_what_is_said_beside_a_measurement_is_known_to_the_translation() -> void:
+	var known := CollectTexts.messages()
+	for note: String in [
+		"never 1 px off in 33 bounces, 2.50 s",
+		"never 1 px off in 1 bounce, 0.50 s",
+		"1 px off after 1 bounce, 0.50 s",
+		"1 px off after 33 bounces, 2.50 s",
+		"after 12 bounces",
+		"energy off by 2e-9 of itself; reversed, never 1 px off its own way in all of 2.0 s",
+		"energy off by 0 of itself; reversed, 1 px off its own way after 0.25 s of 2.0 s",
+		"energy off by 0.01 of itself; 7 collisions a second",
+		"no finite answer for 3 of 1000 pairs",
+		"not flown to the end yet",
+		"31 impacts, 31 are right",
+	]:
+		for part in note.split("; "):
+			assert_has(known, MeasuredTexts.pattern(part))
+		assert_eq(MeasuredTexts.of(note), note)
+
+
+func test_names_of_problems_are_no_texts() -> void:
+	var known := CollectTexts.messages()
+	for problem in ReportProblems.all():
+		assert_does_not_have(known, problem.id)
 
 
 func test_numbers_in_a_name_stay_as_they_are() -> void:

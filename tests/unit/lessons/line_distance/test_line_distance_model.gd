@@ -134,7 +134,7 @@ func test_the_question_takes_the_right_answer_and_names_the_mistakes() -> void:
 	assert_true(exercise.check([7.0]).is_right)
 	assert_string_contains(exercise.check([35.0]).sentence, "5 times the distance")
 	assert_string_contains(exercise.check([-7.0]).sentence, "(−y, x)")
-	assert_string_contains(exercise.check([8.75]).sentence, "straight up")
+	assert_string_contains(exercise.check([8.75]).sentence, "the vertical way")
 	assert_string_contains(exercise.check([5.4]).sentence, "not it yet")
 
 
@@ -165,7 +165,7 @@ func test_a_way_that_is_not_the_perpendicular_is_named_with_either_sign() -> voi
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 93
 	for i: int in 200:
-		var kind := (i % LineDistanceExercise.Kind.size()) as LineDistanceExercise.Kind
+		var kind := (i % LineDistanceExercise.Kind.FRAME) as LineDistanceExercise.Kind
 		var exercise := (
 			Exercise.drawn(LineDistanceExercise.fresh, kind, rng) as LineDistanceExercise
 		)
@@ -174,8 +174,43 @@ func test_a_way_that_is_not_the_perpendicular_is_named_with_either_sign() -> voi
 		var up := LineDistanceMistakes.point_straight_below(centre, exercise.line).y - centre.y
 		var way := LineDistance.difference(centre, exercise.line)
 		for side: float in [1.0, -1.0]:
-			assert_string_contains(exercise.check([side * up - less]).sentence, "straight up")
+			assert_string_contains(exercise.check([side * up - less]).sentence, "the vertical way")
 			assert_string_contains(exercise.check([side * way.length() - less]).sentence, "|d|")
+
+
+func test_the_first_frame_in_which_a_ball_overlaps_is_asked_for() -> void:
+	var line := LineSegment.new(Vec2.new(0, 0), Vec2.new(-10, 0))
+	var ball := Ball.new(Vec2.new(0, -30), 4.0)
+	var exercise := LineDistanceExercise.new(LineDistanceExercise.Kind.FRAME, line, ball, 7.0)
+	assert_true(exercise.check([4.0]).is_right, "26 px are free: 3 frames of 7 px are 21, 4 are 28")
+	assert_string_contains(exercise.check([3.0]).sentence, "does not overlap yet")
+	assert_string_contains(exercise.check([5.0]).sentence, "the radius is not subtracted")
+	assert_string_contains(exercise.check([26.0 / 7.0]).sentence, "whole frames")
+	assert_string_contains(exercise.solution(), "30 − 4")
+
+
+func test_detection_looks_once_a_frame() -> void:
+	var red: Dictionary[DiscreteDetection.Rule, Array] = {
+		DiscreteDetection.Rule.BELOW_RADIUS: [false, false, false, true, true],
+		DiscreteDetection.Rule.ONLY_ABOVE: [false, false, false, false, false],
+		DiscreteDetection.Rule.BOTH_SIDES: [false, false, false, true, false],
+	}
+	for rule: DiscreteDetection.Rule in red:
+		var detection := DiscreteDetection.new(100.0, 30.0, 35.0, rule)
+		assert_eq(detection.last_frame(), 4)
+		var seen: Array = range(5).map(detection.is_red)
+		assert_eq(seen, red[rule], "100, 65, 30, -5, -40: rule %d" % rule)
+	assert_true(DiscreteDetection.new(35.0, 30.0, 3.0, DiscreteDetection.Rule.ONLY_ABOVE).is_red(2))
+
+
+func test_a_fast_ball_is_never_seen() -> void:
+	var both := DiscreteDetection.Rule.BOTH_SIDES
+	assert_true(DiscreteDetection.new(100.0, 30.0, 140.0, both).is_never_seen())
+	assert_false(DiscreteDetection.new(100.0, 30.0, 35.0, both).is_never_seen())
+	assert_false(DiscreteDetection.new(-60.0, 30.0, 35.0, both).is_never_seen(), "behind already")
+	assert_false(DiscreteDetection.new(1e9, 30.0, 140.0, both).is_never_seen(), "not there yet")
+	var signed := DiscreteDetection.Rule.BELOW_RADIUS
+	assert_false(DiscreteDetection.new(100.0, 30.0, 140.0, signed).is_never_seen())
 
 
 func test_the_question_on_the_gap_asks_for_free_balls_too() -> void:

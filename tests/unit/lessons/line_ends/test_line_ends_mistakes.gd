@@ -57,3 +57,13 @@ static func _telling_model(number: int) -> LineEndsModel:
 	var model := LineEndsModel.new()
 	LineEndsPresets.lay(model, LineEndsMistakeTexts.telling_preset(number))
 	return model
+
+
+func test_at_the_start_a_line_without_ends_does_what_the_late_test_does_so_it_brings_a_shot(
+) -> void:
+	var model := LineEndsModel.new()
+	assert_true(LineEndsMistakes.is_seen(22, model))
+	assert_true(LineEndsMistakes.shows(23, model))
+	assert_false(LineEndsMistakes.is_seen(23, model))
+	LineEndsPresets.lay(model, LineEndsMistakeTexts.telling_preset(23))
+	assert_true(LineEndsMistakes.is_seen(23, model))

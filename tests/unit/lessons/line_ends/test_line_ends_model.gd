@@ -187,3 +187,17 @@ static func _model(preset: String) -> LineEndsModel:
 	var model := LineEndsModel.new()
 	LineEndsPresets.lay(model, preset)
 	return model
+
+
+func test_head_on_a_segment_without_caps_is_driven_into_lengthwise() -> void:
+	var model := LineEndsModel.new()
+	LineEndsPresets.lay(model, "Head-on")
+	for field: LineEndsModel.Field in [
+		LineEndsModel.Field.SEGMENT_ONE_SIDED, LineEndsModel.Field.SEGMENT_TWO_SIDED
+	]:
+		assert_eq(model.result_in(field), LineEndsModel.Result.DRIVES_IN_LENGTHWISE)
+	LineEndsPresets.lay(model, "End")
+	assert_eq(
+		model.result_in(LineEndsModel.Field.SEGMENT_TWO_SIDED),
+		LineEndsModel.Result.CUTS_THROUGH_THE_END
+	)

@@ -42,3 +42,15 @@ func test_on_the_board_a_missing_component_makes_the_dot_product_0() -> void:
 		var exercise := ComponentExercise.fresh(ComponentExercise.Kind.MISSING, rng)
 		assert_eq(model.take(exercise.board_state()), "")
 		assert_eq(model.dot(), 0.0)
+
+
+func test_the_solution_has_the_numbers_put_in() -> void:
+	var exercise := ComponentExercise.new(
+		ComponentExercise.Kind.DOT, [4.0, -3.0, 2.0], [2.0, -4.0, -1.0]
+	)
+	assert_eq(exercise.solution(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) = 18")
+	exercise = ComponentExercise.new(
+		ComponentExercise.Kind.MISSING, [4.0, -3.0, -1.0], [2.0, -4.0, 5.0]
+	)
+	assert_string_contains(exercise.solution(), "add up to 20")
+	assert_string_contains(exercise.solution(), "−(20) / (−1) = 20")

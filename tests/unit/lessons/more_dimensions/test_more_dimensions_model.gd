@@ -12,6 +12,8 @@ func test_the_dot_products_of_the_lesson() -> void:
 	assert_eq(model.dot(), 18.0)
 	model.has_four = true
 	assert_eq(model.dot(), 21.0)
+	model.has_five = true
+	assert_eq(model.dot(), 15.0)
 
 
 func test_two_components_give_what_vec2_gives() -> void:
@@ -58,11 +60,13 @@ func test_acute_right_and_obtuse() -> void:
 
 func test_the_angle_of_the_space_diagonal_of_a_cube() -> void:
 	var model := MoreDimensionsModel.new()
-	model.a = [1.0, 1.0, 1.0, 1.0]
-	model.b = [1.0, 0.0, 0.0, 0.0]
+	model.a = [1.0, 1.0, 1.0, 1.0, 1.0]
+	model.b = [1.0, 0.0, 0.0, 0.0, 0.0]
 	assert_almost_eq(model.cosine(), 1.0 / sqrt(3.0), 1e-15)
 	model.has_four = true
 	assert_almost_eq(model.angle_degrees(), 60.0, 1e-13)
+	model.has_five = true
+	assert_almost_eq(model.cosine(), 1.0 / sqrt(5.0), 1e-15)
 
 
 func test_parallel_vectors_make_no_angle_beyond_the_cosines_range() -> void:
@@ -100,8 +104,8 @@ func test_the_exact_dot_product_keeps_what_a_double_loses() -> void:
 func test_a_component_is_put_into_its_own_place() -> void:
 	var model := MoreDimensionsModel.new()
 	assert_eq(model.set_component("b", 2, 9.0), "")
-	assert_eq(model.b, PackedFloat64Array([2, -4, 9, 3]))
-	assert_eq(model.a, PackedFloat64Array([4, -3, 2, 1]))
+	assert_eq(model.b, PackedFloat64Array([2, -4, 9, 3, -2]))
+	assert_eq(model.a, PackedFloat64Array([4, -3, 2, 1, 3]))
 
 
 func test_a_component_out_of_range_is_refused_and_nothing_changes() -> void:
@@ -122,6 +126,25 @@ func test_what_is_stored_is_not_shared_and_can_be_put_back() -> void:
 	assert_eq(model.to_dictionary(), MoreDimensionsModel.new().to_dictionary())
 	assert_no_refusal(model.set_component("a", 0, 77.0))
 	assert_eq(stored, MoreDimensionsModel.new().to_dictionary())
+
+
+func test_a_link_with_four_components_leaves_the_fifth() -> void:
+	var model := MoreDimensionsModel.new()
+	var link := LessonLink.read("a=1,2,3,4&has_four=true", model.link_state())
+	assert_eq(link.problem, "")
+	model.from_dictionary(model.state_of_link(link.state))
+	assert_eq(model.counted_a(), PackedFloat64Array([1, 2, 3, 4]))
+	assert_eq(model.a[4], 3.0)
+	link = LessonLink.read("fifth=7,8&has_five=true", model.link_state())
+	model.from_dictionary(model.state_of_link(link.state))
+	assert_eq(model.counted_a(), PackedFloat64Array([1, 2, 3, 4, 7]))
+	assert_eq(model.b[4], 8.0)
+
+
+func test_a_fifth_component_out_of_range_is_refused() -> void:
+	var stored := MoreDimensionsModel.new().to_dictionary()
+	stored["fifth"] = PackedFloat64Array([1.0, 1e7])
+	assert_string_contains(MoreDimensionsModel.new().problem_in(stored), "1e7 cannot be")
 
 
 func test_a_view_keeps_lengths_in_its_plane() -> void:

@@ -13,6 +13,24 @@ func test_a_normal_is_minus_y_and_x() -> void:
 	assert_string_contains(exercise.check([3.0, 1.0]).sentence, "along v")
 
 
+func test_the_opposite_normal_is_y_and_minus_x() -> void:
+	var exercise := NormalExercise.new(NormalExercise.Kind.OPPOSITE, Vec2.new(3.0, -2.0))
+	assert_true(exercise.check([-2.0, -3.0]).is_right)
+	assert_string_contains(exercise.check([2.0, 3.0]).sentence, "That is n, +90° from v")
+	assert_string_contains(exercise.check([-2.0, 3.0]).sentence, "no right angle")
+
+
+func test_the_lecture_asks_with_its_own_vectors_and_solves_them() -> void:
+	var solutions: Dictionary[NormalExercise.Kind, String] = {
+		NormalExercise.Kind.NORMAL: "n = (−y, x) = (−1, 3)",
+		NormalExercise.Kind.OPPOSITE: "−n = (y, −x) = (−2, −3)",
+		NormalExercise.Kind.UNIT: "n̂ = n / |n| = (4, 3) / 5 = (0.8, 0.6)",
+	}
+	for kind in solutions:
+		assert_eq(NormalExercise.of_the_lecture(kind).solution(), solutions[kind])
+	assert_null(NormalExercise.of_the_lecture(NormalExercise.Kind.SCALED))
+
+
 func test_a_unit_normal_that_was_not_divided_is_named_with_its_length() -> void:
 	var exercise := NormalExercise.new(NormalExercise.Kind.UNIT, Vec2.new(3.0, -4.0))
 	assert_true(exercise.check([0.8, 0.6]).is_right)
@@ -38,10 +56,12 @@ func test_fresh_answers_are_perpendicular_and_of_the_wanted_length() -> void:
 			var x := exercise.right_answer[0]
 			var y := exercise.right_answer[1]
 			var size := sqrt(exercise.v.x ** 2.0 + exercise.v.y ** 2.0)
-			var lengths: Array[float] = [size, 1.0, exercise.wanted_length]
+			var lengths: Array[float] = [size, size, 1.0, exercise.wanted_length]
+			var side := -1.0 if kind == NormalExercise.Kind.OPPOSITE else 1.0
 			assert_almost_eq(x * exercise.v.x + y * exercise.v.y, 0.0, 1e-9)
 			assert_almost_eq(sqrt(x * x + y * y), lengths[kind], 1e-9)
-			assert_gt(exercise.v.x * y - exercise.v.y * x, 0.0, "+90 degrees, not -90")
+			var cross := exercise.v.x * y - exercise.v.y * x
+			assert_gt(side * cross, 0.0, "+90 degrees, or −90 for the opposite one")
 
 
 func test_fresh_answers_are_short_decimals() -> void:

@@ -43,12 +43,6 @@ func test_the_scaled_normal_is_as_many_pixels_long_as_it_is_scaled() -> void:
 		assert_gt(_model.scaled().dot(_model.normal()), 0.0)
 
 
-func test_which_way_y_is_drawn_changes_no_number() -> void:
-	_lay(Vec2.new(), Vec2.new(3.0, 1.0))
-	_model.is_y_up = true
-	assert_vec2(_model.normal(), Vec2.new(-1.0, 3.0), 0.0)
-
-
 func test_moving_the_line_leaves_its_normal_unchanged() -> void:
 	_lay(Vec2.new(), Vec2.new(3.0, 1.0))
 	var unit := _model.unit()
@@ -80,7 +74,6 @@ func test_a_zero_line_has_zero_normals() -> void:
 func test_a_stored_line_comes_back_and_shares_nothing() -> void:
 	_lay(Vec2.new(1.0, 2.0), Vec2.new(3.0, 4.0))
 	_model.times = -7.0
-	_model.is_y_up = true
 	_model.mistake = 9
 	var other := NormalsModel.new()
 	other.from_dictionary(_model.to_dictionary())

@@ -40,10 +40,28 @@ func test_a_ball_that_moves_away_is_left_alone() -> void:
 	assert_string_contains(exercise.check([3.0, 4.0]).sentence, "would stick")
 
 
+func test_a_ball_falls_on_a_ramp_and_loses_nothing() -> void:
+	var exercise := ReflectionExercise.new(
+		ReflectionExercise.Kind.RAMP, Vec2.new(0, 25), Vec2.new(-3, -4), 1.0
+	)
+	assert_true(exercise.check([24.0, 7.0]).is_right)
+	assert_string_contains(exercise.check([0.0, -25.0]).sentence, "right angle")
+	assert_string_contains(exercise.solution(), "(24, 7)")
+
+
+func test_the_lecture_asks_for_its_own_velocity() -> void:
+	var exercise := ReflectionExercise.of_the_lecture(ReflectionExercise.Kind.MIRROR)
+	assert_true(exercise.check([3.0, -4.0]).is_right)
+	assert_true(exercise.tells_mistakes_apart())
+	assert_null(ReflectionExercise.of_the_lecture(ReflectionExercise.Kind.AWAY))
+
+
 func test_level_and_upright_lines_are_asked_for_too() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 182
 	for kind: int in ReflectionExercise.Kind.values():
+		if kind == ReflectionExercise.Kind.RAMP:
+			continue
 		var straight := 0
 		for i: int in 40:
 			var exercise := (

@@ -16,7 +16,7 @@ func test_the_steps_subtract_never_once_twice_and_1_plus_c_times() -> void:
 	var times: Array[float] = []
 	for step: int in ReflectionModel.Step.size():
 		times.append(model.times_subtracted(step as ReflectionModel.Step))
-	assert_eq(times, [1.25, 0.0, 1.0, 2.0, 1.25] as Array[float])
+	assert_eq(times, [1.25, 0.0, 1.0, 2.0, 1.25, 1.25] as Array[float])
 
 
 func test_the_normal_part_of_the_lecture() -> void:

@@ -78,6 +78,8 @@ func test_no_case_measures_a_world_that_has_stopped() -> void:
 		assert_string_contains(result.note, "more than 100 impacts within a second")
 		assert_eq([result.has_answer(), result.run_time_us], [false, Measurement.NO_ANSWER])
 		case.finish()
+	# A world that has stopped says so at each new moment.
+	assert_push_error_count(61)
 
 
 func test_no_case_measures_a_world_that_took_nothing() -> void:

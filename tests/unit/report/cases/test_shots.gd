@@ -120,6 +120,25 @@ func test_growth_is_the_slope_between_two_numbers_of_segments() -> void:
 	assert_true(is_nan(ManySegmentsProblem.growth("other", rows)))
 
 
+func test_the_ceiling_of_the_box_is_measured_in_each_situation_and_solves_nothing() -> void:
+	var situations: PackedStringArray = []
+	for case in BallInBoxProblem.new().ceilings():
+		case.run_once()
+		var row := case.result()
+		assert_eq([row.method, row.tuning, row.has_answer()], [EmptyCall.METHOD, "60 Hz", false])
+		assert_gt(row.run_time_us, 0.0)
+		situations.append(row.situation)
+	for shot in BallInBoxProblem.shots():
+		assert_has(situations, shot.situation)
+
+
+func test_a_world_that_stops_on_the_way_is_no_answer() -> void:
+	var case := Stopping.new(EventFlight.Form.WALLS, "stops", BoxShot.new(300000.0, 1.0 / 60.0), 60)
+	case.run_once()
+	assert_push_error_count(1)
+	assert_string_contains(case.result().note, "more than 0 impacts within a second")
+
+
 func _flown(way: SteppingMethods.Method, shot: Shot) -> MeasuredCase:
 	var case := SteppedFlight.new(way, shot, 60)
 	for run: int in 5:
@@ -135,3 +154,11 @@ class Counting:
 	func _prepare() -> void:
 		set_ups += 1
 		super()
+
+
+class Stopping:
+	extends EventFlight
+
+	func _prepare() -> void:
+		super()
+		_world.most_impacts_per_second = 0

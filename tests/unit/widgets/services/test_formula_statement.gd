@@ -26,6 +26,41 @@ func test_a_result_that_is_rounding_is_said_to_be_so() -> void:
 	_assert_texts(statement, ["", "3", "0.8", "4", "(−0.6)", "0 (rounding: 4.4e−16)"])
 
 
+# With 4 digits the sum would be four times what is called rounding.
+func test_a_sum_as_it_is_shown_gives_no_more_than_what_is_called_rounding() -> void:
+	var statement := FormulaStatement.new("{x} = {ux}·{wx} + {uy}·{wy} = {dot}")
+	var rest := -3.71e-11 * 0.8914793645 + 7.3e-11 * 0.4530613012
+	_put({ux = -3.71e-11, wx = 0.8914793645, uy = -7.3e-11, wy = -0.4530613012, dot = rest})
+	_numbers["dot"].scales = [100.0]
+	var texts := statement.texts(_numbers)
+	assert_eq(texts[5], "0 (rounding: 4.1e−16)")
+	assert_eq(texts[2], "0.89147936")
+	assert_eq(texts[4], "(−0.4530613)")
+
+
+# With 4e15 and 3e15 the sum would be 0.
+func test_a_result_of_which_one_digit_holds_has_all_digits_of_its_terms() -> void:
+	var statement := FormulaStatement.new("a · b = {ux}·{wx} + {uy}·{wy} = {dot}")
+	var u := Vec2.new(4e15 - 11.415866248783008, 3e15 + 2.0)
+	var w := Vec2.new(6e15 + 5991.28, -8e15 - 7998.04)
+	_put({ux = u.x, wx = w.x, uy = u.y, wy = w.y, dot = u.dot(w)})
+	var texts := statement.texts(_numbers)
+	assert_ne(texts[0], "4e15")
+
+
+# A whole number shows all of its digits, and an angle has too few for them.
+func test_a_large_whole_number_that_no_digits_give_is_shown_with_all_there_are() -> void:
+	var statement := FormulaStatement.new("|a| cos φ = {length}·cos {phi}° = {primitive}")
+	_put({length = 5e15, phi = -90.00000006554639, primitive = -5720002.0})
+	_assert_texts(statement, ["5e15", "(−90.000000065546388)", "−5720002"])
+
+
+func test_a_negative_angle_alone_behind_cos_stands_in_parentheses() -> void:
+	var statement := FormulaStatement.new("cos φ = cos {phi}° = {cosine}")
+	_put({phi = -60.0, cosine = 0.5})
+	_assert_texts(statement, ["(−60)", "0.5"])
+
+
 func test_a_small_result_of_exact_numbers_is_not_rounding() -> void:
 	var statement := FormulaStatement.new("{a} − {b} = {c}")
 	_put({a = 1e-9, b = 3e-9, c = -2e-9})
@@ -70,6 +105,39 @@ func test_an_angle_is_computed_in_degrees() -> void:
 	var statement := FormulaStatement.new("β = atan2({y}, {x}) = {beta}°")
 	_put({y = -16.87443648746824, x = 200.0, beta = rad_to_deg(atan2(-16.87443648746824, 200.0))})
 	_assert_texts(statement, ["−16.874", "200", "−4.823"])
+
+
+func test_an_angle_is_computed_in_radians_where_the_line_has_no_degrees() -> void:
+	var statement := FormulaStatement.new("β = atan2({y}, {x}) = {beta}")
+	_put({y = -16.87443648746824, x = 200.0, beta = atan2(-16.87443648746824, 200.0)})
+	_assert_texts(statement, ["−16.874", "200", "−0.08417"])
+
+
+func test_a_full_turn_is_added_in_either_unit() -> void:
+	_put({y = -16.87443648746824, x = 200.0})
+	var angle := rad_to_deg(atan2(-16.87443648746824, 200.0)) + 360.0
+	_put({beta = angle})
+	var in_degrees := FormulaStatement.new("β = atan2({y}, {x}) + 360° = {beta}°")
+	_assert_texts(in_degrees, ["−16.87", "200", "355.2"])
+	_put({beta = deg_to_rad(angle)})
+	var in_radians := FormulaStatement.new("β = atan2({y}, {x}) + 2π = {beta}")
+	_assert_texts(in_radians, ["−16.87", "200", "6.199"])
+
+
+func test_digits_of_a_cosine_are_found_in_radians() -> void:
+	var statement := FormulaStatement.new("|a| cos φ = {length}·cos {phi} = {primitive}")
+	_put({length = 10.0, phi = 1.5707, primitive = 10.0 * cos(1.5707)})
+	_assert_texts(statement, ["10", "1.5707", "0.0009633"])
+
+
+func test_an_exact_angle_is_written_and_computed_as_it_is() -> void:
+	var statement := FormulaStatement.new("|a| cos φ = {length}·cos {phi} = {primitive}")
+	_put({length = 1000.0, phi = -PI / 3.0, primitive = 500.0})
+	_numbers["phi"].written = "−π/3"
+	_assert_texts(statement, ["1000", "(−π/3)", "500"])
+	var result := FormulaStatement.new("φ = {one} + {other} = {phi}")
+	_put({one = -1.0, other = 1.0 - PI / 3.0})
+	_assert_texts(result, ["(−1)", "(−0.0472)", "−π/3"])
 
 
 func test_a_component_that_is_alone_needs_no_parentheses() -> void:

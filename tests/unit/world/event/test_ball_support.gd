@@ -127,6 +127,45 @@ func test_a_centre_on_a_line_is_stopped_once() -> void:
 	assert_eq(world.impacts, 1)
 
 
+func test_a_ball_that_is_driven_into_a_wedge_comes_out() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 4
+	for trial: int in 200:
+		var half := rng.randf_range(0.01, 1.5)
+		var turn := rng.randf_range(0.0, TAU)
+		var one := Vec2.unit_radians(turn + half).scaled(500.0)
+		var other := Vec2.unit_radians(turn - half).scaled(500.0)
+		var lines: Array[Vector4] = [Vector4(0, 0, one.x, one.y), Vector4(0, 0, other.x, other.y)]
+		var pull := Vec2.new(0, 300.0 * (trial % 2))
+		var bounciness: float = [1.0, 0.5, 0.0, 0.9, 0.99][trial % 5]
+		var way := rng.randf_range(1.0, 100.0)
+		var start := Vec2.unit_radians(turn).scaled(10.0 / sin(half) + way)
+		var aim := turn + rng.randf_range(-0.5, 0.5) * half
+		var ball := Ball.new(start, 10.0, Vec2.unit_radians(aim).scaled(-rng.randf_range(10, 3000)))
+		var world := EventWorlds.world(lines, [ball], pull, bounciness)
+		world.most_impacts_per_second = 20000
+		assert_eq(world.advance(2.0), "", "trial %d" % trial)
+
+
+func test_a_ball_between_two_round_ends_comes_to_rest() -> void:
+	for bounciness: float in [0.0, 0.3, 0.5]:
+		var lines: Array[Vector4] = [Vector4(-90, 0, -8, 0), Vector4(8, 0, 90, -30)]
+		var world := _falling(lines, [_ball(40, -40, 0, 0)], bounciness)
+		world.most_impacts_per_second = 20000
+		assert_no_refusal(world.advance(30.0))
+		assert_true(world.is_resting(0), "C = %s" % bounciness)
+		assert_vec2(world.position(0), Vec2.new(0, -6), 1e-4)
+
+
+func test_with_c_1_a_ball_in_a_corner_lies_still() -> void:
+	var world := EventWorlds.world([], [_ball(20, 20, 0, 0)], Vec2.new(400, 1), 0.0)
+	assert_no_refusal(world.set_walls(Vec2.zero(), Vec2.new(100, 100)))
+	assert_no_refusal(world.advance(60.0))
+	assert_no_refusal(world.set_bounciness(1.0))
+	assert_no_refusal(world.advance(1.0))
+	assert_vec2(world.position(0), Vec2.new(90, 90), 1e-9)
+
+
 func _falling(lines: Array[Vector4], balls: Array[Ball], bounciness: float) -> EventWorld:
 	return EventWorlds.world(lines, balls, Vec2.new(0, GRAVITY), bounciness)
 
@@ -145,3 +184,21 @@ func _change(world: EventWorld, kind: int, line: LineSegment) -> void:
 			assert_no_refusal(world.change_ball(0, world.ball(0)))
 		3:
 			assert_no_refusal(world.set_walls(Vec2.new(-1e6, -1e6), Vec2.new(1e6, 1e6)))
+
+
+func test_a_ball_that_flies_off_a_cap_meets_the_line_of_its_segment_as_fast_as_it_comes() -> void:
+	# Before that it has left the line itself with 150 px/s.
+	var world := EventWorlds.world(
+		[Vector4(73, 1, -180, -65), Vector4(113, -70, 125, 0)],
+		[Ball.new(Vec2.new(-37, -74.3), 4.0)],
+		Vec2.new(0, 300)
+	)
+	world.keeps_events = true
+	assert_no_refusal(world.advance_to(2.1))
+	assert_no_refusal(world.set_bounciness(0.0))
+	world.events.clear()
+	assert_no_refusal(world.advance_to(2.5))
+	assert_gt(world.events.size(), 1)
+	for event: WorldEvent in world.events:
+		var before := event.velocity_before.length()
+		assert_lt(event.velocity_after.length(), before * (1.0 + 1e-12), str(event.time))

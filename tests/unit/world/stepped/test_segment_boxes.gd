@@ -19,7 +19,7 @@ class LookAtAllMover:
 			if not i in skipped:
 				places.append(i)
 				candidates.append(surroundings.segments[i])
-		var impact := EarliestImpact.among(ball.position, motion, ball.radius, candidates)
+		var impact := SegmentImpact.with_segments(ball.position, motion, ball.radius, candidates)
 		if impact.hit:
 			impact.segment_index = places[impact.segment_index]
 		return impact

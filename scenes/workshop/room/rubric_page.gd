@@ -1,0 +1,63 @@
+class_name RubricPage
+extends WorkshopScreen
+## The course's rubric, line by line: what the student has reached by his own code, and where the
+## lab shows it.
+
+## A lesson is to be opened.
+signal lesson_wanted(lesson: LessonInfo)
+## The board of exercise 0 is to be opened.
+signal rotation_wanted
+
+const _ROW := preload("res://scenes/workshop/room/rubric_row.tscn")
+
+var _rows: Array[RubricRow] = []
+
+@onready var _lines: VBoxContainer = %Lines
+@onready var _reached: Label = %Reached
+@onready var _rotation: Button = %Rotation
+
+
+func _ready() -> void:
+	super()
+	_rotation.pressed.connect(rotation_wanted.emit)
+	var mark := WorkshopReport.Mark.NOT_YET
+	for line in Rubric.lines():
+		if line.mark != mark:
+			mark = line.mark
+			_add_heading(mark)
+		_add_row(line)
+	_show_report(null)
+	if not WorkshopChild.can_run():
+		return
+	var watcher := WorkshopWatcher.of_lab(get_tree())
+	watcher.judged.connect(_show_report)
+	watcher.began.connect(_show_report.bind(null))
+	if watcher.report:
+		_show_report(watcher.report)
+
+
+func _add_heading(mark: WorkshopReport.Mark) -> void:
+	var heading := Label.new()
+	heading.theme_type_variation = &"LabelTitle"
+	heading.auto_translate_mode = AUTO_TRANSLATE_MODE_DISABLED
+	heading.text = tr("For “%s”") % WorkshopReport.name_of(mark)
+	heading.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	_lines.add_child(heading)
+
+
+func _add_row(line: RubricLine) -> void:
+	var row := _ROW.instantiate() as RubricRow
+	_lines.add_child(row)
+	row.show_line(line)
+	row.lesson_wanted.connect(lesson_wanted.emit)
+	_rows.append(row)
+
+
+# Null while the student's files are looked at: what is shown stays until then.
+func _show_report(report: WorkshopReport) -> void:
+	if not report or not report.is_complete:
+		_reached.text = tr("Looking at your code")
+		return
+	_reached.text = tr("Reached: %s") % WorkshopReport.name_of(report.mark())
+	for row in _rows:
+		row.show_report(report)

@@ -1,0 +1,10 @@
+class_name WorkshopCard
+extends ShelfCard
+## A card of the workshop on the start screen: title and line are in its scene.
+
+
+## Shows how far the student is; [param is_reached]: something is.
+func show_progress(words: String, is_reached: bool) -> void:
+	var role := Palette.Role.RIGHT if is_reached else Palette.Role.QUIET
+	_tell_done(("✓ " if is_reached else "") + words, role)
+	accessibility_name = ". ".join([tr(_title.text), tr(_summary.text), words])

@@ -1,0 +1,38 @@
+class_name WorkshopRoom
+extends WorkshopScreen
+## The entrance of the workshop: waits until the student's files have been judged, and leads to the
+## lesson of the first exercise that is not solved yet. Where none is left, or the exercise has no
+## lesson, it leads to the rubric.
+
+## A lesson is to be opened.
+signal lesson_wanted(lesson: LessonInfo)
+## The rubric is to be opened.
+signal rubric_wanted
+
+var _is_through := false
+
+@onready var _said: Label = %Said
+
+
+func _ready() -> void:
+	super()
+	if not WorkshopChild.can_run():
+		_said.text = tr("Your own code runs where the project is open in Godot, not in a demo.")
+		return
+	_said.text = tr("Looking at your code")
+	var watcher := WorkshopWatcher.of_lab(get_tree())
+	watcher.judged.connect(_lead_on)
+	if watcher.report:
+		_lead_on(watcher.report)
+
+
+func _lead_on(report: WorkshopReport) -> void:
+	if _is_through or not report.is_complete:
+		return
+	_is_through = true
+	var next := mini(report.first_open(), WorkshopIndex.TESTS)
+	var lesson := LessonIndex.find(WorkshopIndex.exercise(next).lesson)
+	if lesson:
+		lesson_wanted.emit(lesson)
+	else:
+		rubric_wanted.emit()

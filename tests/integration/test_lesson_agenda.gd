@@ -1,0 +1,22 @@
+extends LabTest
+## The headings of the start screen against the index of lessons.
+
+
+func test_every_lesson_stands_below_one_heading() -> void:
+	var found: Array[LessonInfo] = []
+	for part: LessonAgenda.Part in LessonAgenda.parts():
+		assert_ne(part.title, "")
+		assert_ne(part.line, "", part.title)
+		assert_gt(part.lessons.size(), 0, part.title)
+		found.append_array(part.lessons)
+	assert_eq(found.size(), LessonIndex.lessons().size())
+	for lesson: LessonInfo in LessonIndex.lessons():
+		assert_has(found, lesson)
+
+
+func test_the_order_is_that_of_the_lecture_with_the_proof_behind() -> void:
+	var numbers: PackedInt32Array = []
+	for part: LessonAgenda.Part in LessonAgenda.parts():
+		for lesson: LessonInfo in part.lessons:
+			numbers.append(LessonIndex.number_of(lesson))
+	assert_eq(numbers, PackedInt32Array([1, 2, 3, 4, 6, 7, 8, 9, 10, 11, 5, 12]))

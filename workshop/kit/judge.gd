@@ -1,0 +1,125 @@
+class_name WorkshopJudge
+extends RefCounted
+## Judges all exercises of a student, one after the other. Only a child process may use it: the
+## student's code runs here.
+
+## Filled exercise by exercise.
+var report := WorkshopReport.new()
+## The compiled classes, once they are.
+var compiler: WorkshopCompiler
+## The exercise that is judged just now.
+var exercise_now := 0
+
+var _errors: WorkshopHeardErrors
+var _watchdog: WorkshopWatchdog
+var _task_judge: WorkshopTaskJudge
+var _verdict_of_task: Dictionary[String, WorkshopVerdict] = {}
+
+
+## Prepares; [param errors] hears the engine already, and [param watchdog] watches.
+func _init(errors: WorkshopHeardErrors, watchdog: WorkshopWatchdog) -> void:
+	_errors = errors
+	_watchdog = watchdog
+	compiler = WorkshopCompiler.new(errors)
+
+
+## Judges what is in these files, by their names, but for the exercises in [param skipped], which
+## have their verdicts already.
+func judge(files: Dictionary[String, PackedByteArray], skipped: PackedInt32Array) -> void:
+	_watchdog.allow(WorkshopWatchdog.LONGEST)
+	compiler.compile(files)
+	for exercise in WorkshopIndex.exercises():
+		exercise_now = exercise.number
+		if exercise.tasks and not exercise.number in skipped:
+			_watchdog.allow(WorkshopWatchdog.LONGEST)
+			report.verdicts[exercise.number] = _verdict_on(exercise)
+	_watchdog.rest()
+	report.is_complete = true
+
+
+## The verdict on the exercise that runs just now, which has to be ended.
+func verdict_at_the_end(kind: WorkshopVerdict.Kind) -> WorkshopVerdict:
+	var verdict := WorkshopVerdict.new()
+	verdict.exercise = exercise_now
+	verdict.kind = kind
+	var exercise := WorkshopIndex.exercise(exercise_now)
+	verdict.method = exercise.tasks[0].method
+	verdict.file = WorkshopFiles.file_of(exercise.home())
+	if _task_judge:
+		verdict.method = _task_judge.method()
+		if _task_judge.probe_now:
+			verdict.probe = _task_judge.probe_now.title
+			verdict.asked = _task_judge.probe_now.numbers
+	if compiler.codes.has(verdict.file):
+		verdict.line = compiler.codes[verdict.file].line_of(verdict.method)
+	var sentence := LabText.translate("%s does not come to an end for %s.")
+	if kind == WorkshopVerdict.Kind.MEMORY:
+		sentence = LabText.translate("%s takes too much memory for %s.")
+	verdict.sentence = sentence % [verdict.method, verdict.probe]
+	return verdict
+
+
+func _verdict_on(exercise: WorkshopExercise) -> WorkshopVerdict:
+	var file := WorkshopFiles.file_of(exercise.home())
+	var verdict: WorkshopVerdict
+	if not compiler.codes.has(file):
+		verdict = WorkshopVerdict.new()
+		verdict.kind = WorkshopVerdict.Kind.MISSING
+		verdict.file = file
+		verdict.sentence = LabText.translate("The file %s is not there.") % file
+	elif compiler.problems.has(file):
+		verdict = WorkshopVerdict.from_dictionary(_read_back(compiler.problems[file]))
+	else:
+		verdict = _verdict_on_methods(exercise, compiler.codes[file])
+	verdict.exercise = exercise.number
+	return verdict
+
+
+# As it would come through a pipe: a copy, in which whole numbers are floats.
+static func _read_back(verdict: WorkshopVerdict) -> Dictionary:
+	return JSON.parse_string(JSON.stringify(verdict.to_dictionary()))
+
+
+# The first method that is not right speaks for the exercise.
+func _verdict_on_methods(exercise: WorkshopExercise, code: WorkshopCode) -> WorkshopVerdict:
+	var last: WorkshopVerdict
+	var costs: PackedFloat64Array = [0.0, 0.0, 0.0, 0.0]
+	for task in exercise.tasks:
+		_task_judge = WorkshopTaskJudge.new(task, compiler, _errors)
+		last = _task_judge.judge(compiler.classes)
+		_verdict_of_task[task.method] = last
+		if not last.is_right():
+			_blame_what_it_uses(last, task, code)
+			return last
+		_add_costs(costs, task)
+	last.costs = costs
+	return last
+
+
+# The dearest method of an exercise counts.
+func _add_costs(costs: PackedFloat64Array, task: WorkshopTask) -> void:
+	var timed := WorkshopCall.new(
+		task, compiler.classes["MyVec2"], compiler.classes[task.home], task.method
+	)
+	var time := WorkshopRunTime.new(task, timed)
+	costs[3] = maxf(costs[3], _task_judge.error())
+	if time.ratio > costs[2]:
+		costs[0] = time.nanoseconds
+		costs[1] = time.reference_nanoseconds
+		costs[2] = time.ratio
+
+
+# What goes wrong inside a method that it calls is to be mended there first.
+func _blame_what_it_uses(verdict: WorkshopVerdict, task: WorkshopTask, code: WorkshopCode) -> void:
+	if verdict.kind in [WorkshopVerdict.Kind.OPEN, WorkshopVerdict.Kind.RIGHT]:
+		return
+	for used in code.calls_in(task.method):
+		var other: WorkshopVerdict = _verdict_of_task.get(used)
+		if other and used != task.method and not other.is_right():
+			verdict.kind = WorkshopVerdict.Kind.WAITING
+			verdict.mistake = 0
+			verdict.sentence = LabText.translate(
+				"%s uses %s, which is not right yet: mend that first."
+			)
+			verdict.sentence = verdict.sentence % [task.method, used]
+			return

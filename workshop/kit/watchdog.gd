@@ -1,0 +1,60 @@
+class_name WorkshopWatchdog
+extends RefCounted
+## Ends the child in which it lives when the student's code does not come to an end, or takes too
+## much memory. It runs in a thread of its own, which goes on while the code loops.
+
+## Seconds for one exercise.
+const LONGEST := 2.5
+## Bytes that the code may take.
+const MOST_MEMORY := 400_000_000
+
+const _LOOK_EVERY := 10
+
+## Called in the thread just before the end with the kind of the verdict, ENDLESS or MEMORY.
+var last_words: Callable
+
+var _thread := Thread.new()
+var _deadline := -1
+var _memory_before := 0
+var _runs := true
+
+
+## Begins to watch; nothing is timed yet.
+func start() -> void:
+	_memory_before = OS.get_static_memory_usage()
+	var problem := _thread.start(_watch)
+	assert(problem == OK, "the watching thread has started")
+
+
+## Gives the code that runs from now on [param seconds].
+func allow(seconds: float) -> void:
+	_deadline = Time.get_ticks_msec() + int(seconds * 1000.0)
+
+
+## Nothing of the student's runs any more.
+func rest() -> void:
+	_deadline = -1
+
+
+## Ends the thread.
+func stop() -> void:
+	_runs = false
+	_thread.wait_to_finish()
+
+
+func _watch() -> void:
+	while _runs:
+		OS.delay_msec(_LOOK_EVERY)
+		# The other thread may change it between two looks.
+		var deadline := _deadline
+		if deadline < 0:
+			continue
+		if OS.get_static_memory_usage() - _memory_before > MOST_MEMORY:
+			_end(WorkshopVerdict.Kind.MEMORY)
+		elif Time.get_ticks_msec() > deadline:
+			_end(WorkshopVerdict.Kind.ENDLESS)
+
+
+func _end(kind: WorkshopVerdict.Kind) -> void:
+	last_words.call(kind)
+	OS.kill(OS.get_process_id())
