@@ -67,4 +67,5 @@ func until(holds: Callable) -> void:
 			return
 		await get_tree().process_frame
 		OS.delay_msec(2)
-	fail_test("what is waited for has not come")
+	var known := watcher.report.to_dictionary() if watcher.report else {}
+	fail_test("what is waited for has not come; the report: %s" % JSON.stringify(known))

@@ -9,7 +9,7 @@ report=$results/report.txt
 
 # With fixed frames a second of waiting takes no second, and a test does not depend on how fast the machine is.
 run_tests() {
-	"$LAB_ROOT/tools/shared/run_with_patience.sh" 120 \
+	"$LAB_ROOT/tools/shared/run_with_patience.sh" 300 \
 		"$godot" --headless --fixed-fps 60 --path "$LAB_ROOT" -s addons/gut/gut_cmdln.gd "$@" |
 		tee "$results/log.txt" | awk -f "$LAB_ROOT/tools/checks/hide_watched_messages.awk" | tee "$results/shown.txt"
 }

@@ -8,12 +8,17 @@ const LONGEST := 2.5
 ## Bytes that the code may take.
 const MOST_MEMORY := 400_000_000
 
+# Milliseconds from one look to the next. A longer way counts as no more than twice that: what stops
+# this thread as well, such as a machine that pauses, is not the student's doing.
 const _LOOK_EVERY := 10
 
 ## Called in the thread just before the end with the kind of the verdict, ENDLESS or MEMORY.
 var last_words: Callable
 
 var _thread := Thread.new()
+# Milliseconds since the start, but for pauses. Only the thread changes it.
+var _clock := 0
+# When the time is over; negative while nothing is timed. Only the student's thread changes it.
 var _deadline := -1
 var _memory_before := 0
 var _runs := true
@@ -28,7 +33,7 @@ func start() -> void:
 
 ## Gives the code that runs from now on [param seconds].
 func allow(seconds: float) -> void:
-	_deadline = Time.get_ticks_msec() + int(seconds * 1000.0)
+	_deadline = _clock + int(seconds * 1000.0)
 
 
 ## Nothing of the student's runs any more.
@@ -43,15 +48,19 @@ func stop() -> void:
 
 
 func _watch() -> void:
+	var before := Time.get_ticks_msec()
 	while _runs:
 		OS.delay_msec(_LOOK_EVERY)
+		var now := Time.get_ticks_msec()
+		_clock += mini(now - before, 2 * _LOOK_EVERY)
+		before = now
 		# The other thread may change it between two looks.
 		var deadline := _deadline
 		if deadline < 0:
 			continue
 		if OS.get_static_memory_usage() - _memory_before > MOST_MEMORY:
 			_end(WorkshopVerdict.Kind.MEMORY)
-		elif Time.get_ticks_msec() > deadline:
+		elif _clock > deadline:
 			_end(WorkshopVerdict.Kind.ENDLESS)
 
 
