@@ -3,29 +3,35 @@ extends "test_base.gd"
 
 
 func assert_eq(got: Variant, expected: Variant, text: Variant = "") -> void:
-	_gut_compare(got, expected, "to equal", func() -> bool: return got == expected, text)
+	_gut_compare(
+		got, expected, "to equal", func(a: Variant, b: Variant) -> bool: return a == b, text
+	)
 
 
 func assert_ne(got: Variant, not_expected: Variant, text: Variant = "") -> void:
 	_gut_compare(
-		got, not_expected, "to not equal", func() -> bool: return got != not_expected, text
+		got, not_expected, "to not equal", func(a: Variant, b: Variant) -> bool: return a != b, text
 	)
 
 
 func assert_gt(got: Variant, expected: Variant, text: Variant = "") -> void:
-	_gut_compare(got, expected, "to be >", func() -> bool: return got > expected, text)
+	_gut_compare(got, expected, "to be >", func(a: Variant, b: Variant) -> bool: return a > b, text)
 
 
 func assert_gte(got: Variant, expected: Variant, text: Variant = "") -> void:
-	_gut_compare(got, expected, "to be >=", func() -> bool: return got >= expected, text)
+	_gut_compare(
+		got, expected, "to be >=", func(a: Variant, b: Variant) -> bool: return a >= b, text
+	)
 
 
 func assert_lt(got: Variant, expected: Variant, text: Variant = "") -> void:
-	_gut_compare(got, expected, "to be <", func() -> bool: return got < expected, text)
+	_gut_compare(got, expected, "to be <", func(a: Variant, b: Variant) -> bool: return a < b, text)
 
 
 func assert_lte(got: Variant, expected: Variant, text: Variant = "") -> void:
-	_gut_compare(got, expected, "to be <=", func() -> bool: return got <= expected, text)
+	_gut_compare(
+		got, expected, "to be <=", func(a: Variant, b: Variant) -> bool: return a <= b, text
+	)
 
 
 func assert_almost_eq(
@@ -89,9 +95,10 @@ func assert_does_not_have(collection: Variant, element: Variant, text: Variant =
 	)
 
 
+# The two are arguments: a lambda could not hold an object that has been freed.
 func _gut_compare(got: Variant, want: Variant, how: String, is_so: Callable, text: Variant) -> void:
 	if _gut_have_comparable_types(got, want, text):
-		var ok: bool = is_so.call()
+		var ok: bool = is_so.call(got, want)
 		_gut_check(
 			ok, "[%s] expected %s [%s]: %s" % [_gut_text_of(got), how, _gut_text_of(want), text]
 		)

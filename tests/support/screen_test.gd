@@ -41,6 +41,8 @@ func after_each() -> void:
 	for choice: Conventions.Choice in Conventions.Choice.values():
 		if Conventions.is_chosen(choice):
 			Conventions.choose(choice, false)
+	# The next test begins without a language that a link or a button has chosen.
+	LabText.speak(LabText.ENGLISH)
 	DirAccess.remove_absolute(KeptChoices.file)
 	KeptChoices.read_again()
 	await student.settle()

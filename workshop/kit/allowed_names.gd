@@ -50,6 +50,9 @@ const NEVER := (
 	+ "call_deferred set_deferred get_tree get_node"
 )
 
+# A script of the lab or of the disk as a base would bring its methods along.
+const _BASE_OF_TESTS := '"res://addons/gut/test.gd"'
+
 const _DECLARING: PackedStringArray = [
 	"var", "func", "const", "class", "class_name", "enum", "signal", "for"
 ]
@@ -75,9 +78,16 @@ func _init(
 	for names: String in [LANGUAGE, FUNCTIONS, MEMBERS, TESTS if is_test else ""]:
 		for each in names.split(" ", false):
 			_known[each] = true
-	for index in tokens.size():
+	var before := ""
+	for token in tokens:
 		if not sentence:
-			_look_at(tokens[index], tokens[index - 1].text if index > 0 else "")
+			_look_at(token, before)
+			if before == "extends" and token.text[-1] in ["'", '"']:
+				if not (is_test and token.text == _BASE_OF_TESTS):
+					_refuse(token, token.text)
+		# It only joins two lines.
+		if token.text != "\\":
+			before = token.text
 
 
 ## The names that a file declares, and those that the student's classes have anyway.

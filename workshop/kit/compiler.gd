@@ -6,6 +6,9 @@ extends RefCounted
 
 const _PLACE := "res://workshop/judged.gd"
 const _TEST_PLACE := "res://workshop/judged_test.gd"
+# Only GUT itself has this name; its stand-in has a file in the same place.
+const _BY_NAME := r"(?m)^extends[ \t]+GutTest\b"
+const _BY_PLACE := 'extends "res://addons/gut/test.gd"'
 # A body with this many tokens is not written the same way twice by chance.
 const _LONG := 40
 const _KEY_FILES: PackedStringArray = [
@@ -55,7 +58,8 @@ func compile_test(file: String, companions: Dictionary[String, String]) -> GDScr
 		_declared.merge(WorkshopAllowed.declared_in(companion.tokens()))
 	if not _may_be_compiled(file, true):
 		return null
-	var together := WorkshopTogether.new(codes[file].text)
+	var its_text := RegEx.create_from_string(_BY_NAME).sub(codes[file].text, _BY_PLACE)
+	var together := WorkshopTogether.new(its_text)
 	for of_class in companions:
 		together.add(WorkshopFiles.file_of(of_class), companions[of_class])
 	return _compiled(file, together, _TEST_PLACE)

@@ -1,4 +1,4 @@
-extends GutTest
+extends "res://addons/gut/test.gd"
 ## Exercise 12: your tests of MyVec2. The lab runs them on a right MyVec2, where they must be green,
 ## and on wrong ones, where they must be red.
 

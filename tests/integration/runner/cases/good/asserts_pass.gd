@@ -68,6 +68,7 @@ func test_object() -> void:
 	var gone := Node.new()
 	gone.free()
 	assert_freed(gone)
+	assert_ne(gone, node)
 
 
 func test_file() -> void:

@@ -1,0 +1,3 @@
+class_name MyVec2
+extends \
+	'../scripts/vec2.gd'
