@@ -24,3 +24,13 @@ func _choose_event_fast(index: int, is_new: bool) -> void:
 
 func _cross_fast(index: int) -> void:
 	_cross(index)
+
+
+func _collide_fast(one: int, other: int) -> void:
+	_collide_by_laws(one, other)
+
+
+func _write_places_fast(into: PackedFloat64Array) -> void:
+	for index in ball_count():
+		into[2 * index] = position_x(index)
+		into[2 * index + 1] = position_y(index)

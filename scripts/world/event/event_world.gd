@@ -1,5 +1,5 @@
 class_name EventWorld
-extends BounceLaws
+extends EventCourse
 ## Balls among segments and walls, moved from event to event: what happens next is predicted once,
 ## by exact formulas, and stays true until something changes. Between events nothing is computed; a
 ## world costs by the bounce, not by the frame, and is as exact for one long step as for many short
@@ -17,9 +17,6 @@ extends BounceLaws
 ## Coordinates, speeds, sizes, masses and gravity stay within this, in pixels, seconds and their
 ## quotients.
 const LARGEST := WorldLimits.LARGEST
-
-# From this number of balls on, each looks for partners only around its own cell.
-const _MANY_BALLS := 16
 
 ## The moment at which the world stands, in seconds. To set it lets time pass as
 ## [method advance_to] does, and puts all centres into [member EventState.places]: what a game asks
@@ -288,27 +285,6 @@ func _change_contents() -> void:
 	_change()
 
 
-# All flights begin now, from places and velocities alone, as in a world that is built now.
-func _begin_anew() -> void:
-	_has_changed = false
-	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
-	_count_again()
-	for index in ball_count():
-		if _is_there[index] == 1:
-			_restart(index)
-			_set_free(index)
-			_last_meeting[index] = -INF
-			_piles.forget(index, time)
-			_lasting_speed[index] = NAN
-	_lay_out_cells()
-	_is_alone = _balls_there == 1 and _segments.size() == 0 and _is_weightless()
-	for index in ball_count():
-		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
-	for index in ball_count():
-		if _is_there[index] == 1:
-			_forecast(index)
-
-
 func _resize_places(count: int) -> void:
 	var old := ball_count()
 	for numbers: PackedFloat64Array in _float_arrays():
@@ -338,20 +314,6 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_set_free(index)
 	_is_there[index] = 1
 	_change()
-
-
-func _lay_out_cells() -> void:
-	_balls_there = _is_there.count(1)
-	_uses_cells = _balls_there >= _MANY_BALLS
-	_cross_time.fill(INF)
-	if _uses_cells:
-		var size := BallCells.size_for(positions(), _radius, _is_there)
-		# Removed balls count for nothing: the world is as one without them.
-		_cells.lay_out(size, _balls_there)
-		_cells.make_room(ball_count())
-		for index in ball_count():
-			if _is_there[index] == 1:
-				_cells.put(index, _x[index], _y[index])
 
 
 # Pushes every ball out of what it overlaps.
@@ -408,43 +370,51 @@ func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 			_push_out(index, {})
 
 
-# Apart from [method advance], because a function with fewer variables is called faster.
-func _advance_through_events(seconds: float) -> String:
-	if not (seconds >= 0.0 and seconds <= LARGEST):
-		return "The world can advance by 0 to 1e15 s, not by %s." % seconds
-	if _has_changed:
-		_begin_anew()
-	var step := seconds + _time_low
-	var target := time + step
-	return _advance_to(target, step - (target - time))
+# All arrays that change while balls move, for snapshots.
+func _all_arrays() -> Array:
+	var arrays: Array = [_is_there, _queue.times, _queue.lows]
+	arrays.append_array(_float_arrays())
+	arrays.append_array(_int_arrays())
+	arrays.append_array(_rolls.arrays())
+	arrays.append_array(_piles.arrays())
+	arrays.append_array(_cells.arrays())
+	return arrays
 
 
-# Where an event comes first, or the flight of a lone ball is not noted.
-func _go_to_moment(target: float) -> void:
-	if not (target >= time and target <= LARGEST):
-		Refusal.push(_advance_to_event(target))
-		return
-	if _has_changed:
-		_begin_anew()
-	Refusal.push(_advance_to(target, 0.0))
-	_write_places(_places)
-	if _x.size() != 1 or _pull_x[0] != 0.0 or _pull_y[0] != 0.0:
-		return
-	_lone_until = _quiet_until
-	_lone_start = _start[0]
-	_lone_start_low = _start_low[0]
-	_lone_x = _x[0]
-	_lone_y = _y[0]
-	_lone_velocity_x = _velocity_x[0]
-	_lone_velocity_y = _velocity_y[0]
+# The arrays with a number for each ball, beside _is_there and without those of the collaborators.
+func _float_arrays() -> Array[PackedFloat64Array]:
+	return [
+		_radius,
+		_mass,
+		_start,
+		_start_low,
+		_x,
+		_y,
+		_velocity_x,
+		_velocity_y,
+		_pull_x,
+		_pull_y,
+		_piece,
+		_left_speed,
+		_lasting_speed,
+		_last_meeting,
+		_touch_time,
+		_touch_low,
+		_event_time,
+		_event_low,
+		_cross_time,
+	]
 
 
-func _advance_to_event(target: float) -> String:
-	if not (target >= time and target <= LARGEST):
-		return (
-			"The world stands at %s s and can advance to at most 1e15 s, not to %s."
-			% [time, target]
-		)
-	if _has_changed:
-		_begin_anew()
-	return _advance_to(target, 0.0)
+func _int_arrays() -> Array[PackedInt32Array]:
+	return [
+		_support,
+		_rolled_end,
+		_left_surface,
+		_left_feature,
+		_touch_kind,
+		_touched,
+		_touched_feature,
+		_event_kind,
+		_event_with,
+	]

@@ -141,7 +141,8 @@ func _check(set_up: Callable, change: Callable = Callable()) -> void:
 
 
 static func _state(world: EventWorld) -> Array:
-	return [world.time, world.impacts, world.next_event_time(), EventWorlds.numbers(world)]
+	var next := world.next_event_time()
+	return [world.time, world.impacts, next, world.positions(), EventWorlds.numbers(world)]
 
 
 func _set_walls(world: EventWorld) -> void:
