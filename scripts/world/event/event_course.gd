@@ -24,16 +24,18 @@ func _go_to_moment(target: float) -> void:
 	if target < _quiet_until and target >= time:
 		time = target
 		_time_low = 0.0
-	elif not (target >= time and target <= WorldLimits.LARGEST):
-		Refusal.push(_advance_to_event(target))
-		return
 	else:
-		if _has_changed:
-			_begin_anew()
-		Refusal.push(_advance_to(target, 0.0))
-	_write_places(_places)
-	if _x.size() != 1 or _pull_x[0] != 0.0 or _pull_y[0] != 0.0:
-		return
+		var problem := _advance_to_event(target)
+		if problem:
+			Refusal.push(problem)
+	if _x.size() == 1 and _pull_x[0] == 0.0 and _pull_y[0] == 0.0:
+		_note_lone_flight()
+	else:
+		_write_places(_places)
+
+
+# See EventWorld.moment.
+func _note_lone_flight() -> void:
 	_lone_until = _quiet_until
 	_lone_start = _start[0]
 	_lone_start_low = _start_low[0]
@@ -41,6 +43,9 @@ func _go_to_moment(target: float) -> void:
 	_lone_y = _y[0]
 	_lone_velocity_x = _velocity_x[0]
 	_lone_velocity_y = _velocity_y[0]
+	var seconds := (time - _lone_start) + (_time_low - _lone_start_low)
+	_places[0] = _lone_x + _lone_velocity_x * seconds
+	_places[1] = _lone_y + _lone_velocity_y * seconds
 
 
 func _advance_to_event(target: float) -> String:
