@@ -62,6 +62,17 @@ func test_a_script_with_a_node_or_an_engine_vector_is_found() -> void:
 		assert_eq(_engine_names_in("var a: " + forbidden), PackedStringArray([forbidden]))
 
 
+# A chain of classes that is longer is read by nobody.
+func test_no_class_of_scripts_has_more_than_four_bases_of_ours() -> void:
+	for file: String in SourceCode.files_below(SCRIPTS, ["gd"]):
+		var depth := 0
+		var script := load(file) as GDScript
+		while script:
+			depth += 1
+			script = script.get_base_script() as GDScript
+		assert_lt(depth, 6, file)
+
+
 func test_scripts_name_no_scene() -> void:
 	assert_eq(_references_between(SCRIPTS, SCENES), PackedStringArray())
 

@@ -27,7 +27,7 @@ enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN }
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
 
-#region What a user of the world reads and sets. EventCourse writes it; the laws count impacts.
+#region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
 
 ## Seconds since the start. Read it; [method EventWorld.advance] changes it.
 var time := 0.0
@@ -63,7 +63,7 @@ var events: Array[WorldEvent]:
 # The classes that extend this one use these fields.
 @warning_ignore_start("unused_private_class_variable")
 
-#region The time and the counts. EventCourse writes them.
+#region The time and the counts. EventWorld writes them.
 
 # The second part of [member time].
 var _time_low := 0.0
@@ -128,7 +128,7 @@ var _pull_y: PackedFloat64Array = []
 
 #endregion
 
-#region What EventWorld.moment has found. EventCourse writes it.
+#region What EventWorld.moment has found. EventWorld writes it.
 
 # See [member places]. It is never assigned anew, because callers hold it.
 var _places: PackedFloat64Array = []
@@ -411,3 +411,53 @@ func _is_weightless() -> bool:
 func _set_uses_grid(value: bool) -> void:
 	uses_grid = value
 	_segments = SegmentGrid.new() if value else SegmentScan.new()
+
+
+# All arrays that change while balls move, for snapshots.
+func _all_arrays() -> Array:
+	var arrays: Array = [_is_there, _queue.times, _queue.lows]
+	arrays.append_array(_float_arrays())
+	arrays.append_array(_int_arrays())
+	arrays.append_array(_rolls.arrays())
+	arrays.append_array(_piles.arrays())
+	arrays.append_array(_cells.arrays())
+	return arrays
+
+
+# The arrays with a number for each ball, beside _is_there and without those of the collaborators.
+func _float_arrays() -> Array[PackedFloat64Array]:
+	return [
+		_radius,
+		_mass,
+		_start,
+		_start_low,
+		_x,
+		_y,
+		_velocity_x,
+		_velocity_y,
+		_pull_x,
+		_pull_y,
+		_piece,
+		_left_speed,
+		_lasting_speed,
+		_last_meeting,
+		_touch_time,
+		_touch_low,
+		_event_time,
+		_event_low,
+		_cross_time,
+	]
+
+
+func _int_arrays() -> Array[PackedInt32Array]:
+	return [
+		_support,
+		_rolled_end,
+		_left_surface,
+		_left_feature,
+		_touch_kind,
+		_touched,
+		_touched_feature,
+		_event_kind,
+		_event_with,
+	]
