@@ -7,8 +7,9 @@ extends RefCounted
 ## s t in that time: it hits where |D(t)| = s t, and the direction is that of D.
 
 
-## The shots from [param shooter] at a point that rests: the flat arc first, then the high one. Empty
-## where [param speed], in px/s, is less than [method least_speed]. Without gravity there is one.
+## The shots from [param shooter] at a point that rests: the flat arc first, then the high one.
+## Empty where [param speed], in px/s, is less than [method least_speed]. Without gravity there is
+## one.
 static func at_fixed(shooter: Vec2, target: Vec2, gravity: Vec2, speed: float) -> Array[Aim]:
 	var way := target.minus(shooter)
 	var shots: Array[Aim] = []

@@ -3,8 +3,8 @@ extends RefCounted
 ## Aims ahead of a moving target, for a bullet of constant speed.
 ##
 ## Seen from the shooter, the target is at P and moves with V. After t seconds the bullet is
-## somewhere on a circle of radius s t, and it touches the target where |P + V t| = R + s t. Squared,
-## that is a t² + 2 b t + c = 0 with a = V² - s², b = P·V - s R and c = P² - R².
+## somewhere on a circle of radius s t, and it touches the target where |P + V t| = R + s t.
+## Squared, that is a t² + 2 b t + c = 0 with a = V² - s², b = P·V - s R and c = P² - R².
 
 
 ## The earliest shot from [param shooter] that hits [param target], whose acceleration does not
@@ -44,15 +44,13 @@ static func first_by_the_slide(
 	return Aim.miss(Aim.Outcome.OUTRUN)
 
 
-## The times at which |P + V t| = R + s t, the earliest first: at most two, in seconds, none below 0.
-## [param way] is P, longer than the radius R, [param velocity] V and [param speed] s > 0.
+## The times at which |P + V t| = R + s t, the earliest first: at most two, in seconds, none below
+## 0. [param way] is P, longer than the radius R, [param velocity] V and [param speed] s > 0.
 ##
 ## Lengths are counted in P and speeds in the larger one, so that no square overflows. The
 ## discriminant b² - a c loses its digits where the speeds are nearly equal. (s P - R V)² - (P × V)²
 ## is the same number, and its two factors keep them.
-static func times(
-	way: Vec2, velocity: Vec2, speed: float, radius: float
-) -> PackedFloat64Array:
+static func times(way: Vec2, velocity: Vec2, speed: float, radius: float) -> PackedFloat64Array:
 	var length := way.length()
 	var fastest := maxf(velocity.length(), speed)
 	var p := way.divided(length)

@@ -53,6 +53,18 @@ func share_of(point: Vec2) -> float:
 	return point.minus(start).scalar_projection(along()) / size if size > 0.0 else 0.0
 
 
+## The distance between the nearest points of both segments, in pixels: 0 where they cross.
+func distance_to(other: LineSegment) -> float:
+	if _separates(other) and other._separates(self):
+		return 0.0
+	var nearest := INF
+	for point: Vec2 in [other.start, other.end]:
+		nearest = minf(nearest, closest_point(point).distance_to(point))
+	for point: Vec2 in [start, end]:
+		nearest = minf(nearest, other.closest_point(point).distance_to(point))
+	return nearest
+
+
 ## "" if this segment can be used; otherwise one sentence with the value and what is allowed. Its
 ## ends must be finite, at least [constant SHORTEST] apart, and within
 ## -[param largest]..[param largest] px.
@@ -69,3 +81,10 @@ func problem(largest: float = INF) -> String:
 		var values := [limit, limit, start, end]
 		return "A segment's ends must be within -%s..%s px, not %s and %s." % values
 	return ""
+
+
+# Whether the ends of the other segment are on different sides of this line.
+func _separates(other: LineSegment) -> bool:
+	var one := along().cross(other.start.minus(start))
+	var two := along().cross(other.end.minus(start))
+	return (one < 0.0) != (two < 0.0)
