@@ -36,3 +36,11 @@ static func at(at_time: float, with_direction: Vec2, at_target: Vec2) -> Aim:
 	aim.direction = with_direction.normalized()
 	aim.target = at_target
 	return aim
+
+
+## Whether a bullet can have this speed: above 0 px/s and finite. Else it is an error.
+static func can_shoot(speed: float) -> bool:
+	if speed > 0.0 and speed < INF:
+		return true
+	push_error("The speed of a bullet must be above 0 px/s and finite, but is %s." % speed)
+	return false

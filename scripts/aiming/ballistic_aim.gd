@@ -11,11 +11,33 @@ extends RefCounted
 ## Empty where [param speed], in px/s, is less than [method least_speed]. Without gravity there is
 ## one.
 static func at_fixed(shooter: Vec2, target: Vec2, gravity: Vec2, speed: float) -> Array[Aim]:
+	if not Aim.can_shoot(speed):
+		return []
 	var way := target.minus(shooter)
 	var shots: Array[Aim] = []
 	for time in fixed_times(way, gravity, speed):
 		var direction := way.minus(gravity.scaled(0.5 * time * time))
 		shots.append(Aim.at(time, direction, target.copy()))
+	return shots
+
+
+## The same by the formula of the slide, for gravity straight down, in px/s²: the tangent of the
+## angle above the level is (s² ± sqrt(s⁴ - g (g x² + 2 y s²))) / (g x), with y upwards. Straight up
+## and down it divides by 0, and near the edge of what can be reached its digits cancel.
+static func at_fixed_by_the_slide(
+	shooter: Vec2, target: Vec2, gravity: float, speed: float
+) -> Array[Aim]:
+	var x := target.x - shooter.x
+	var y := shooter.y - target.y
+	var square := speed * speed
+	var inside := square * square - gravity * (gravity * x * x + 2.0 * y * square)
+	var shots: Array[Aim] = []
+	if not inside >= 0.0:
+		return shots
+	for side: float in [-1.0, 1.0]:
+		var tangent := (square + side * sqrt(inside)) / (gravity * x)
+		var direction := Vec2.new(signf(x), -signf(x) * tangent).normalized()
+		shots.append(Aim.at(x / (speed * direction.x), direction, target.copy()))
 	return shots
 
 
@@ -25,6 +47,8 @@ static func at_fixed(shooter: Vec2, target: Vec2, gravity: Vec2, speed: float) -
 static func at_moving(
 	shooter: Vec2, target: AimTarget, gravity: Vec2, speed: float, longest: float
 ) -> Array[Aim]:
+	if not Aim.can_shoot(speed):
+		return []
 	var way := target.position.minus(shooter)
 	var bend := target.acceleration.minus(gravity)
 	if way.length() <= target.radius:

@@ -19,6 +19,8 @@ static func first(
 	walls: Array[LineSegment],
 	bounces: int
 ) -> BankWay:
+	if not can_bounce(bounciness, bounces):
+		return BankWay.new()
 	return BankSearch.new(start, target, radius, bounciness, walls).first(bounces)
 
 
@@ -31,4 +33,18 @@ static func ways(
 	walls: Array[LineSegment],
 	bounces: int
 ) -> Array[BankWay]:
+	if not can_bounce(bounciness, bounces):
+		return []
 	return BankSearch.new(start, target, radius, bounciness, walls).ways(bounces)
+
+
+## Whether a ball can be aimed over walls with this C, above 0 and at most 1, and so many bounces,
+## 0 or more. Else it is an error.
+static func can_bounce(bounciness: float, bounces: int) -> bool:
+	if not (bounciness > 0.0 and bounciness <= 1.0):
+		push_error("To aim over walls, C must be above 0 and at most 1, but is %s." % bounciness)
+	elif bounces < 0:
+		push_error("The number of bounces must be 0 or more, but is %d." % bounces)
+	else:
+		return true
+	return false

@@ -13,6 +13,8 @@ extends RefCounted
 static func first(
 	shooter: Vec2, target: AimTarget, speed: float, shooter_velocity := Vec2.zero()
 ) -> Aim:
+	if not Aim.can_shoot(speed):
+		return Aim.miss(Aim.Outcome.OUT_OF_REACH)
 	var way := target.position.minus(shooter)
 	if way.length() <= target.radius:
 		return Aim.at(0.0, way, target.position.copy())
@@ -25,8 +27,8 @@ static func first(
 	return Aim.at(found[0], direction, place)
 
 
-## The same by the formulas of the slide: a, b and c as they stand there. Where the speeds are
-## nearly equal, their digits cancel: the time can be wrong by 1e-3 of itself.
+## The same by the quadratic formula of the slide, t = (-b ± sqrt(b² - a c)) / a. Where the speeds
+## are nearly equal its digits cancel, and where they are equal it divides by 0 and finds nothing.
 static func first_by_the_slide(
 	shooter: Vec2, target: AimTarget, speed: float, shooter_velocity := Vec2.zero()
 ) -> Aim:
@@ -37,8 +39,11 @@ static func first_by_the_slide(
 	var c := p.length_squared() - target.radius * target.radius
 	if c <= 0.0:
 		return Aim.at(0.0, p, target.position.copy())
-	for time in Quadratic.roots(a, 2.0 * b, c):
-		if time >= 0.0:
+	var root := sqrt(b * b - a * c)
+	var times_of_hit: Array[float] = [(-b - root) / a, (-b + root) / a]
+	times_of_hit.sort()
+	for time in times_of_hit:
+		if time >= 0.0 and time < INF:
 			var place := target.position.plus(target.velocity.scaled(time))
 			return Aim.at(time, p.plus(v.scaled(time)), place)
 	return Aim.miss(Aim.Outcome.OUTRUN)

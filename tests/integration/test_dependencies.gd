@@ -11,6 +11,7 @@ const LAYERS: PackedStringArray = [
 	"res://scripts/vec2.gd",
 	"res://scripts/shapes",
 	"res://scripts/numbers",
+	"res://scripts/aiming",
 	"res://scripts/collision",
 	"res://scripts/world/segments",
 	"res://scripts/world/event",

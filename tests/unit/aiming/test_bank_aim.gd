@@ -44,3 +44,35 @@ func _is_order(row: int, way: BankWay) -> bool:
 		if way.walls[place] != int(_table.at(row, "wall%d" % (place + 1))):
 			return false
 	return true
+
+
+func test_the_slide_s_numbers() -> void:
+	var floor_line: Array[LineSegment] = [LineSegment.new(Vec2.new(0, 300), Vec2.new(500, 300))]
+	var start := Vec2.new(100, 100)
+	var way := BankAim.first(start, Vec2.new(300, 160), 20, 1, floor_line, 1)
+	assert_true(way.hit)
+	assert_true(way.images[0].equals_approx(Vec2.new(300, 400), 1e-12))
+	assert_true(way.bounces[0].equals_approx(Vec2.new(220, 280), 1e-12))
+	way = BankAim.first(start, Vec2.new(300, 160), 20, 0.5, floor_line, 1)
+	assert_true(way.images[0].equals_approx(Vec2.new(300, 520), 1e-12))
+
+
+func test_each_way_says_why_it_is_none() -> void:
+	var walls: Array[LineSegment] = [
+		LineSegment.new(Vec2.new(0, 300), Vec2.new(210, 300)),
+		LineSegment.new(Vec2.new(150, 200), Vec2.new(150, 240)),
+		LineSegment.new(Vec2.new(0, 50), Vec2.new(500, 50)),
+	]
+	var outcomes: Array[BankWay.Outcome] = []
+	for way in BankAim.ways(Vec2.new(100, 100), Vec2.new(300, 160), 20, 1, walls, 1):
+		outcomes.append(way.outcome)
+	assert_has(outcomes, BankWay.Outcome.BESIDE)
+	assert_has(outcomes, BankWay.Outcome.HIT)
+	assert_false(BankAim.first(Vec2.zero(), Vec2.new(1, 1), 1, 1, [], 1).hit)
+
+
+func test_a_c_that_is_none_is_an_error() -> void:
+	assert_false(BankAim.first(Vec2.zero(), Vec2.new(1, 1), 1, 0.0, [], 1).hit)
+	assert_push_error("C must be above 0")
+	assert_false(BankAim.first(Vec2.zero(), Vec2.new(1, 1), 1, 1.0, [], -1).hit)
+	assert_push_error("must be 0 or more")

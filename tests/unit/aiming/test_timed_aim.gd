@@ -41,3 +41,28 @@ func _shot(row: int) -> TimedShot:
 
 func _at(row: int, letter: String) -> Vec2:
 	return _table.vector(row, letter + "x", letter + "y")
+
+
+func test_the_slide_s_numbers() -> void:
+	var bullet := Vec2.new(0, -200)
+	var velocity := Vec2.new(100, 0)
+	var muzzle := Vec2.new(300, 400)
+	var shot := TimedAim.at_line(muzzle, bullet, Vec2.zero(), Vec2.new(0, 200), velocity)
+	assert_almost_eq(shot.fire, 2.0, 1e-15)
+	assert_almost_eq(shot.flight, 1.0, 1e-15)
+	assert_almost_eq(TimedAim.window(bullet, velocity, 10), 0.1118, 1e-4)
+
+
+func test_parallel_ways_are_told() -> void:
+	var velocity := Vec2.new(100, 0)
+	var target := Vec2.new(0, 20)
+	var shot := TimedAim.at_line(Vec2.zero(), Vec2.new(50, 0), Vec2.zero(), target, velocity)
+	assert_eq(shot.outcome, TimedShot.Outcome.PARALLEL)
+
+
+func test_a_target_that_has_passed_is_told() -> void:
+	var velocity := Vec2.new(100, 0)
+	var target := Vec2.new(500, 200)
+	var bullet := Vec2.new(0, -200)
+	var shot := TimedAim.at_line(Vec2.new(300, 400), bullet, Vec2.zero(), target, velocity)
+	assert_eq(shot.outcome, TimedShot.Outcome.NOT_IN_TIME)
