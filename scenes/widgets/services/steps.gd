@@ -105,6 +105,11 @@ func is_at_end() -> bool:
 	return _step == _sentences.size() - 1
 
 
+## Whether the student is asked something just now: what answers it has to wait.
+func is_asking() -> bool:
+	return _is_asking
+
+
 ## Goes to a step, counted from 0; stays inside the first and the last. Asks nothing.
 func go_to(at: int) -> void:
 	_end_prediction()
