@@ -50,9 +50,7 @@ func _ready() -> void:
 
 ## Shows from now on what [param watcher] hears about [param exercises], those of [param lesson] in
 ## their order.
-func follow(
-	lesson: Lesson, watcher: WorkshopWatcher, exercises: Array[WorkshopExercise]
-) -> void:
+func follow(lesson: Lesson, watcher: WorkshopWatcher, exercises: Array[WorkshopExercise]) -> void:
 	_lesson = lesson
 	_watcher = watcher
 	_exercises = exercises
