@@ -11,6 +11,7 @@ const WebPages := preload("web_pages.gd")
 const _FORM := "res://tools/web/index_page.html"
 const _NOTES_FORM := "res://tools/web/notes_page.html"
 const _ICON := "res://assets/icons/app_icon.svg"
+const _ICON_LINK := '<link rel="icon" type="image/svg+xml" href="icon.svg">'
 # Where on the site a file of the project can be read.
 const _SOURCE := "sources/%s.txt"
 # What a browser needs to put the lab among a machine's programs.
@@ -33,7 +34,8 @@ func _init() -> void:
 	if demos[0].id == WebDemo.LAB:
 		var notes := FileAccess.get_file_as_string(_NOTES_FORM)
 		_write("notes.html", WebPages.notes(notes, TeachingPlan.new()))
-		_write("rubric.html", RubricText.page("lab/index.html", _SOURCE))
+		var rubric := RubricText.page("lab/index.html", _SOURCE)
+		_write("rubric.html", WebPages.fill(rubric, "icon", _ICON_LINK))
 		_copy_sources()
 	quit(mini(_failed, 1))
 
