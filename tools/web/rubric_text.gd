@@ -11,8 +11,8 @@ const _LINK := '<a href="%s">%s</a>'
 const _OWN_PROJECT := "<span>To be shown in your own project</span>"
 
 
-## The page. [param lab] is the address of the lab, behind which `#` and a lesson come; [param source]
-## makes an address of the path of a file in the project, in place of its `%s`.
+## The page. [param lab] is the address of the lab, behind which `#` and a lesson come;
+## [param source] makes an address of the path of a file in the project, in place of its `%s`.
 static func page(lab: String, source: String) -> String:
 	var form := FileAccess.get_file_as_string(FORM)
 	var of_mark := WebPages.between(form, "mark")

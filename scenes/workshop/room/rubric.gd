@@ -48,7 +48,7 @@ static func _good() -> Array[RubricLine]:
 		"Collisions: how far a ball is from a line, and whether it touches"
 	)
 	var impact := LabText.translate("Collisions: position reset and point of impact")
-	var lines := LabText.translate("Collisions: a ball among many angled lines, with gravity")
+	var many := LabText.translate("Collisions: a ball among many angled lines, with gravity")
 	var tests := LabText.translate("Vectors: your own tests find four of five mistakes")
 	return [
 		(
@@ -74,7 +74,7 @@ static func _good() -> Array[RubricLine]:
 				]
 			)
 		),
-		RubricLine.new(_GOOD, lines, "angled_lines", [10]).tested_by(
+		RubricLine.new(_GOOD, many, "angled_lines", [10]).tested_by(
 			["tests/unit/world/event/test_event_world.gd"]
 		),
 		RubricLine.new(_GOOD, tests, "", _NO_EXERCISES, RubricLine.Proof.TESTS).tested_by(

@@ -1,6 +1,6 @@
 extends LabTest
-## The page of the site and of the report with the rubric: every line of the lab's own page is on it,
-## and each of its links leads to something that is there.
+## The page of the site and of the report with the rubric: every line of the lab's own page is on
+## it, and each of its links leads to something that is there.
 
 const RubricText := preload("res://tools/web/rubric_text.gd")
 const WebPages := preload("res://tools/web/web_pages.gd")
