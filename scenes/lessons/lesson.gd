@@ -142,6 +142,11 @@ func ask_choice_before(
 	services[&"steps"].call(&"ask_choice_before", before, prompt, choices, right)
 
 
+## Whether the student is asked something just now: what answers it has to wait.
+func is_asking() -> bool:
+	return services.has(&"steps") and services[&"steps"].call(&"is_asking")
+
+
 ## Asks everything once more that was asked before a step.
 func ask_again() -> void:
 	if services.has(&"steps"):

@@ -18,7 +18,7 @@ const NARROWEST_PANEL := 280.0
 const WIDEST_PANEL := 450.0
 
 # Of a long title so many lines are shown in a narrow window.
-const _TITLE_LINES := 2
+const _TITLE_LINES := 3
 const _KEY := "panel"
 
 var _frame: Control

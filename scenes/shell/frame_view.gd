@@ -3,18 +3,9 @@ extends Node
 ## How the lesson frame shows its lesson: its layout, what is hidden or folded, and the menu and the
 ## keys for all of it.
 
-## Another language is spoken now: the screen has to be built anew.
-signal language_changed
-
 ## What is in this group can be hidden for a class, and keeps its place.
 const ANSWERS := &"answers"
 
-# The conventions that can be chosen, by the actions of their switches.
-const _CONVENTIONS: Dictionary[StringName, Conventions.Choice] = {
-	&"lab_radians": Conventions.Choice.RADIANS,
-	&"lab_y_up": Conventions.Choice.Y_UP,
-	&"lab_full_turn": Conventions.Choice.FULL_TURN,
-}
 # The key of a Readout's choice; a lesson without one does not load it.
 const _NUMBERS := "numbers"
 
@@ -23,7 +14,7 @@ var menu: ViewMenu
 ## Where the parts of the frame are.
 var layout: FrameLayout
 ## What is chosen for the whole window.
-var options := ViewOptions.new()
+var options: ViewOptions
 
 ## Whether all answers are shown.
 var shows_answers := true:
@@ -41,9 +32,10 @@ var lesson: Lesson:
 var _frame: Control
 
 
-## Of this lesson frame.
-func _init(frame: Control) -> void:
+## Of this lesson frame, with what is chosen for its window.
+func _init(frame: Control, chosen: ViewOptions) -> void:
 	_frame = frame
+	options = chosen
 	layout = FrameLayout.new(frame)
 
 
@@ -65,7 +57,6 @@ func _ready() -> void:
 	layout.changed.connect(_show_in_menu)
 	options.changed.connect(_show_again)
 	Conventions.changed().connect(_show_again)
-	add_child(options)
 	add_child(layout)
 	_show_in_menu()
 	set_process(false)
@@ -80,13 +71,7 @@ func _unhandled_input(event: InputEvent) -> void:
 		layout.keep_panel(not layout.has_panel())
 	elif event.is_action_pressed(&"lab_numbers", false, true):
 		show_numbers(not _has_numbers())
-	elif event.is_action_pressed(&"lab_language", false, true):
-		LabText.speak(LabText.next_language())
-		language_changed.emit()
-	for action in _CONVENTIONS:
-		if event.is_action_pressed(action, false, true):
-			var choice := _CONVENTIONS[action]
-			Conventions.choose(choice, not Conventions.is_chosen(choice))
+	ViewOptions.choose_convention(event)
 
 
 # Answers that come while all are hidden are hidden, too.
@@ -128,8 +113,8 @@ static func _has_numbers() -> bool:
 
 
 func _show_in_menu() -> void:
-	for action in _CONVENTIONS:
-		menu.show_switch(action, Conventions.is_chosen(_CONVENTIONS[action]))
+	for action in ViewOptions.CONVENTIONS:
+		menu.show_switch(action, Conventions.is_chosen(ViewOptions.CONVENTIONS[action]))
 	menu.show_switch(&"lab_hide_answers", shows_answers)
 	menu.show_switch(&"lab_motion", not Motion.is_reduced())
 	menu.show_switch(&"lab_numbers", _has_numbers())

@@ -78,15 +78,12 @@ class ErrorCatcher:
 func _ready() -> void:
 	if not lesson_info:
 		lesson_info = LessonIndex.lessons()[0]
-	LabText.choose_language()
+	var options := ViewOptions.begin(self)
+	options.language_changed.connect(open_again)
 	LinkView.choose_language(LessonRequest.state_for(lesson_info.id))
-	InputActions.load_packed()
-	WindowFit.follow(get_window())
-	view = FrameView.new(self)
-	view.language_changed.connect(open_again)
+	view = FrameView.new(self, options)
 	add_child(view)
 	SoftwareDrawing.fill_window(get_window(), true)
-	Signs.add_to_font()
 	(%Title as Label).text = heading()
 	_offer_way_back()
 	add_child(LinkPaste.new(follow_link, _show_notice))

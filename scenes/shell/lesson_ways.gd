@@ -1,8 +1,8 @@
 class_name LessonWays
 extends Node
 ## The ways from the open lesson to the ones before and behind it: a button and a key for each, and
-## one step more than the lesson has, as a presenter's remote control sends it. In a demo there are
-## none.
+## one step more than the lesson has, as a presenter's remote control sends it. Where the top bar
+## has no room for the buttons, the steps lead on alone. In a demo there are none.
 
 ## Another lesson is to be opened.
 signal wanted(lesson: LessonInfo)
@@ -12,12 +12,16 @@ const ACTIONS: Dictionary[StringName, String] = {
 	&"lab_previous_lesson": "lesson before", &"lab_next_lesson": "next lesson"
 }
 
+# In a window of less width the title would have no room beside them.
+const _NARROWEST := 360.0
+
 # Null where there is none.
 var _before: LessonInfo
 var _behind: LessonInfo
 
 @onready var _previous: Button = %PreviousLesson
 @onready var _next: Button = %NextLesson
+@onready var _frame := owner as Control
 
 
 func _ready() -> void:
@@ -36,6 +40,8 @@ func offer(here: LessonInfo, lesson: Lesson) -> void:
 	_behind = lessons[place + 1] if place < lessons.size() - 1 else null
 	var words_before := _prepare(_previous, _before, tr("Back to lesson %s"))
 	var words_behind := _prepare(_next, _behind, tr("On to lesson %s"))
+	_frame.resized.connect(_fit)
+	_fit()
 	if lesson and lesson.services.has(&"steps"):
 		var steps := lesson.services[&"steps"]
 		steps.call(&"lead_on", words_before, words_behind)
@@ -50,8 +56,12 @@ func _unhandled_input(event: InputEvent) -> void:
 
 
 # Both buttons are seen in every lesson, so that they keep their places.
+func _fit() -> void:
+	for button: Button in [_previous, _next]:
+		button.visible = _frame.size.x >= _NARROWEST
+
+
 func _prepare(button: Button, lesson: LessonInfo, sentence: String) -> String:
-	button.show()
 	button.disabled = lesson == null
 	var words := sentence % LessonIndex.heading_of(lesson) if lesson else ""
 	if lesson:

@@ -197,4 +197,4 @@ func _show_language(code: String) -> void:
 	var is_spoken := code == LabText.language()
 	LabText.speak_for_now(code)
 	if not is_spoken:
-		_view.language_changed.emit()
+		_view.options.language_changed.emit()

@@ -3,6 +3,9 @@ extends RefCounted
 ## Goes from the start screen to a lesson and back.
 
 const _LESSON_FRAME := "res://scenes/shell/lesson_frame.tscn"
+# The setting that names a script whose `follow(frame)` adds something to each lesson that is
+# opened. A setting, because no export holds that script.
+const _BESIDES := "vec2_lab/lesson/besides"
 
 
 ## Opens [param lesson] in place of the present scene. Only now is the lesson's scene loaded.
@@ -12,7 +15,10 @@ static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	frame.left.connect(open_start_screen.bind(tree, lesson))
 	frame.other_lesson_wanted.connect(func(other: LessonInfo) -> void: open_lesson(tree, other))
 	frame.ready.connect(DoneNotes.follow.bind(frame))
-	frame.ready.connect(WorkshopDesk.follow.bind(frame))
+	var besides: String = ProjectSettings.get_setting(_BESIDES, "")
+	if ResourceLoader.exists(besides):
+		var script := load(besides) as GDScript
+		frame.ready.connect(func() -> void: script.call(&"follow", frame))
 	_change_scene.call_deferred(tree, frame)
 
 

@@ -46,18 +46,15 @@ var _purposes: Dictionary[StringName, String] = ACTIONS.duplicate()
 
 
 func _ready() -> void:
-	LabText.choose_language()
-	InputActions.load_packed()
-	WindowFit.follow(get_window())
-	add_child(ViewOptions.new())
-	Signs.add_to_font()
+	var options := ViewOptions.begin(self)
+	options.language_changed.connect(_open_again)
 	for part in LessonAgenda.parts():
 		_add_part(part)
 	_add_besides()
 	_show_done()
 	_forget.forgotten.connect(_show_forgotten)
 	_language.text = LabText.name_of(LabText.next_language())
-	_language.pressed.connect(_speak_next_language)
+	_language.pressed.connect(options.speak_next_language)
 	_help.text = InputHelp.line(_purposes, false)
 	_help.visible = not DisplayServer.is_touchscreen_available()
 	_focus(came_from)
@@ -93,9 +90,7 @@ func _input(event: InputEvent) -> void:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	if event.is_action_pressed(&"lab_language", false, true):
-		_speak_next_language()
-	elif event.is_action_pressed(&"ui_home", false, true):
+	if event.is_action_pressed(&"ui_home", false, true):
 		_focus_card(_shelf.cards()[0])
 	elif event.is_action_pressed(&"ui_end", false, true):
 		_focus_card(_shelf.cards()[-1])
@@ -109,8 +104,7 @@ func _unhandled_input(event: InputEvent) -> void:
 			return
 
 
-func _speak_next_language() -> void:
-	LabText.speak(LabText.next_language())
+func _open_again() -> void:
 	get_tree().reload_current_scene.call_deferred()
 
 

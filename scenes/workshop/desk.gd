@@ -29,7 +29,7 @@ static func _add_section(
 ) -> void:
 	var section := (load(_SECTION) as PackedScene).instantiate() as OwnCode
 	frame.call(&"take_in", section)
-	section.follow(watcher, exercises)
+	section.follow(lesson, watcher, exercises)
 	var question := lesson.services[&"question"]
 	question.get_parent().move_child(section, question.get_index())
 

@@ -4,8 +4,6 @@ extends OwnDrawing
 ## What the student's own code answers for the numbers on the board, beside the lab's own. It asks
 ## the watcher and waits for nothing: until an answer has come, the one before it is faint.
 
-var _lesson: Lesson
-var _watcher: WorkshopWatcher
 var _picture: OwnPicture
 var _state: Dictionary = {}
 # By the methods: the questions for the board as it is now, and what is drawn.
@@ -18,16 +16,15 @@ var _asked: Dictionary[String, OwnQuestion] = {}
 
 ## For the board of [param lesson], as [param picture] has it, from what [param watcher] hears.
 func _init(lesson: Lesson, picture: OwnPicture, watcher: WorkshopWatcher) -> void:
-	_lesson = lesson
+	super(lesson, watcher)
 	_picture = picture
-	_watcher = watcher
-	add_to_group(&"answers")
 	watcher.began.connect(_grow_old)
 	watcher.judged.connect(_follow_verdict)
 	watcher.answered.connect(_take)
 
 
-func _process(_seconds: float) -> void:
+func _process(seconds: float) -> void:
+	super(seconds)
 	if _lesson.link_state() != _state:
 		_look_at_board()
 

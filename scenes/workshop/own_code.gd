@@ -12,12 +12,15 @@ const _FAINT := Color(1.0, 1.0, 1.0, 0.45)
 ## The student has folded it: it unfolds by itself no more, in no lesson.
 static var stays_folded := false
 
+var _lesson: Lesson
 var _watcher: WorkshopWatcher
 var _exercises: Array[WorkshopExercise] = []
 var _was_unfolded := false
 # Whether a verdict is shown, and whether the next one is about a file that was saved since then.
 var _has_verdict := false
 var _is_new := false
+# Whether the sentence has the right numbers in it.
+var _tells_numbers := false
 
 @onready var _verdict: Control = %Verdict
 @onready var _ball: Control = %Ball
@@ -45,9 +48,10 @@ func _ready() -> void:
 	folding_changed.connect(func(is_closed: bool) -> void: stays_folded = is_closed)
 
 
-## Shows from now on what [param watcher] hears about [param exercises], those of one lesson in
+## Shows from now on what [param watcher] hears about [param exercises], those of [param lesson] in
 ## their order.
-func follow(watcher: WorkshopWatcher, exercises: Array[WorkshopExercise]) -> void:
+func follow(lesson: Lesson, watcher: WorkshopWatcher, exercises: Array[WorkshopExercise]) -> void:
+	_lesson = lesson
 	_watcher = watcher
 	_exercises = exercises
 	set_process(true)
@@ -64,6 +68,9 @@ func _process(_seconds: float) -> void:
 	# Blank, it keeps its place.
 	var is_judging := not _watcher.report or _watcher.is_judging()
 	_checking.self_modulate.a = 1.0 if is_judging else 0.0
+	# The right numbers may be those that the lesson asks for.
+	_wanted.self_modulate.a = 0.0 if _lesson.is_asking() else 1.0
+	_sentence.self_modulate.a = 0.0 if _lesson.is_asking() and _tells_numbers else 1.0
 
 
 func _unhandled_input(event: InputEvent) -> void:
@@ -109,6 +116,7 @@ func _show_verdict(exercise: WorkshopExercise, verdict: WorkshopVerdict) -> void
 	_heading.text = OwnCodeTexts.heading(exercise)
 	_place.text = OwnCodeTexts.place(verdict)
 	_sentence.text = verdict.sentence
+	_tells_numbers = verdict.kind == WorkshopVerdict.Kind.UNKNOWN
 	_show_probe(exercise.task(verdict.method), verdict)
 	_show_costs(verdict)
 

@@ -2,7 +2,8 @@
 class_name OwnDrawing
 extends BoardPart
 ## Draws what the student's code answers: dashed, in a colour that no arrow of the lessons has, and
-## thinner than they are, so that both are seen where they lie on each other.
+## thinner than they are, so that both are seen where they lie on each other. While the lesson asks
+## something, nothing is seen of it: the question comes before the answer.
 
 const _ROLE := Palette.Role.INK
 const _WIDTH := 3.0
@@ -18,6 +19,20 @@ const _MARGIN := 8.0
 # The ball with the sign on it.
 const _BALL := 11.0
 const _FAINT := 0.35
+
+var _lesson: Lesson
+var _watcher: WorkshopWatcher
+
+
+## For the board of [param lesson], from what [param watcher] hears.
+func _init(lesson: Lesson, watcher: WorkshopWatcher) -> void:
+	_lesson = lesson
+	_watcher = watcher
+	add_to_group(&"answers")
+
+
+func _process(_seconds: float) -> void:
+	visible = not _lesson.is_asking()
 
 
 ## Its colour; faint where it is an answer to something else.

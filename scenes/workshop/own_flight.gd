@@ -11,8 +11,6 @@ const _MOVING := 4
 # So many places are drawn, and kept to go back.
 const _MOST_PLACES := 600
 
-var _lesson: Lesson
-var _watcher: WorkshopWatcher
 # His ball in each frame, the latest last; never empty once the board is known.
 var _states: Array[PackedFloat64Array] = []
 # What follows it in each question: radius, gravity, lines, seconds.
@@ -27,9 +25,7 @@ var _is_old := false
 
 ## For the board of [param lesson], from what [param watcher] hears.
 func _init(lesson: Lesson, watcher: WorkshopWatcher) -> void:
-	_lesson = lesson
-	_watcher = watcher
-	add_to_group(&"answers")
+	super(lesson, watcher)
 	watcher.began.connect(_grow_old)
 	watcher.judged.connect(_follow_verdict)
 	watcher.answered.connect(_take)
@@ -44,7 +40,8 @@ func _ready() -> void:
 		_follow_verdict(_watcher.report)
 
 
-func _process(_seconds: float) -> void:
+func _process(seconds: float) -> void:
+	super(seconds)
 	_ask()
 
 

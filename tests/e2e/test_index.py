@@ -25,7 +25,7 @@ def index(request, browser, site):
 
 def test_it_has_a_card_for_each_demo_in_order(index):
     hrefs = [link.get_attribute("href") for link in index.get_by_role("link").all()]
-    assert hrefs == ["lab/index.html", "notes.html"] + [f"{demo}/index.html" for demo in USES]
+    assert hrefs == ["lab/index.html", "notes.html", "rubric.html"] + [f"{demo}/index.html" for demo in USES]
 
 
 def test_each_card_has_its_words_and_its_picture(index):

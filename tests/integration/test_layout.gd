@@ -11,11 +11,23 @@ const _WITH_STATES: Array[Vector2i] = [Vector2i(390, 844), Vector2i(1280, 720)]
 ## by side, in the second a line of running numbers needs a row more after a while, the third tells
 ## a number of 16 digits.
 const _TOO_NARROW: Array[StringName] = [&"line_ends", &"easy_bounce", &"projection_proof"]
+## In Dutch a name on the plot of the fourth is one long word.
+const _TOO_NARROW_IN_DUTCH: Array[StringName] = [
+	&"line_ends", &"easy_bounce", &"projection_proof", &"error_and_time"
+]
+const _NONE: Array[StringName] = []
 ## The sizes at which text is larger, and texts are longer.
 const _OTHERS: Array[Vector2i] = [Vector2i(390, 844), Vector2i(844, 390), Vector2i(1280, 720)]
 
 
+func before_each() -> void:
+	super()
+	# What it adds is looked at with files of its own, in test_desk_layout.gd.
+	WorkshopChild.is_allowed = false
+
+
 func after_each() -> void:
+	WorkshopChild.is_allowed = true
 	_lengthen_texts(0.0)
 	TranslationServer.pseudolocalization_enabled = false
 	await super.after_each()
@@ -41,10 +53,29 @@ func test_every_lesson_fits_with_large_text() -> void:
 	KeptChoices.keep("text_size", WindowFit.TEXT_SIZES[-1])
 	for size: Vector2i in [Vector2i(390, 844), Vector2i(1280, 720)]:
 		await resize(size)
-		var without: Array[StringName] = []
-		if size.x < size.y:
-			without = _TOO_NARROW
-		await _survey_all(size, 0, without)
+		await _survey_all(size, 0, _TOO_NARROW if size.x < size.y else _NONE)
+
+
+func test_every_lesson_fits_in_dutch_on_a_phone_with_text_of_each_size() -> void:
+	LabText.speak("nl")
+	await resize(_OTHERS[0])
+	for text in WindowFit.TEXT_SIZES:
+		KeptChoices.keep("text_size", text)
+		await _survey_all(_OTHERS[0], 0, _TOO_NARROW_IN_DUTCH if text > 1.0 else _NONE)
+
+
+func test_the_ways_to_other_lessons_go_where_the_title_needs_their_room() -> void:
+	for text in WindowFit.TEXT_SIZES:
+		KeptChoices.keep("text_size", text)
+		await resize(_OTHERS[0])
+		Navigation.open_lesson(get_tree(), LessonIndex.find(&"dot_product"))
+		await student.settle()
+		var next := frame().get_node("%NextLesson") as Button
+		assert_eq(next.visible, text == WindowFit.TEXT_SIZES[0])
+		await go_to_step()
+		await click_button("On to lesson 5  Proof of the projection")
+		assert_eq(frame().lesson_info.id, &"projection_proof")
+		screen().free()
 
 
 func test_every_lesson_fits_in_radians_turned_over() -> void:
@@ -138,11 +169,13 @@ func _assert_panel_shows_all_in_a_large_window(text: String) -> void:
 		assert_lte(bar.max_value, bar.page, text)
 
 
-func _survey_all(size: Vector2i, state_count: int, without: Array[StringName] = []) -> void:
+func _survey_all(size: Vector2i, state_count: int, without: Array[StringName] = _NONE) -> void:
 	for lesson: LessonInfo in LessonIndex.lessons():
 		if lesson.id in without:
 			continue
-		await open_lesson(lesson)
+		# With the ways to the other lessons in the top bar.
+		Navigation.open_lesson(get_tree(), lesson)
+		await student.settle()
 		var survey := LayoutSurvey.new()
 		var where := "%s at %s" % [lesson.id, size]
 		await survey.look_at(frame(), where, state_count, state_count > 0)

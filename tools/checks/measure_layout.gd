@@ -1,7 +1,8 @@
 extends SceneTree
 ## Looks at lessons in windows of many sizes and prints, for each size, the smallest target, the
 ## smallest text, and what overlaps, is cut off or moves; ends with exit code 1 if there is
-## anything. Usage: tools/commands/layout.sh, which says what can be asked for.
+## anything. A lesson with exercises is open as for a student with a wrong answer, and with a right
+## one. Usage: tools/commands/layout.sh, which says what can be asked for.
 
 const SIZES: Array[Vector2i] = [
 	Vector2i(390, 844),
@@ -12,6 +13,22 @@ const SIZES: Array[Vector2i] = [
 	Vector2i(1920, 1080),
 	Vector2i(3840, 2160),
 ]
+
+const _HAND_INS := "res://tests/data/hand_ins"
+# Where the lab looks for the student's files.
+const _DESK := "user://desk_in_checks"
+## Hand-ins which together have all exercises right.
+const RIGHT: PackedStringArray = ["right_step", "right_plain", "right_segment"]
+## For each lesson with exercises a hand-in with something wrong, which is told with its numbers.
+const WRONG: Dictionary[String, String] = {
+	"normals": "normal_not_unit",
+	"dot_product": "dot_unknown",
+	"line_distance": "distance_from_start",
+	"point_of_impact": "reset_up",
+	"reflection": "reflect_tangent",
+	"angled_lines": "step_rest_lost",
+	"line_ends": "segment_at_new",
+}
 
 var _states := 12
 var _text := 1.0
@@ -40,6 +57,9 @@ func _init() -> void:
 	for size in _sizes:
 		found += await _look_at(size)
 	DirAccess.remove_absolute(KeptChoices.file)
+	WorkshopWatcher.of_lab(self).free()
+	_clear_desk()
+	DirAccess.remove_absolute(_DESK)
 	quit(mini(found, 1))
 
 
@@ -47,16 +67,47 @@ func _look_at(size: Vector2i) -> int:
 	root.size = size
 	var survey := LayoutSurvey.new()
 	for id in _ids:
-		var frame_scene := load("res://scenes/shell/lesson_frame.tscn") as PackedScene
-		var frame := frame_scene.instantiate() as LessonFrame
-		frame.lesson_info = LessonIndex.find(id)
-		root.add_child(frame)
-		current_scene = frame
+		var hand_in: String = WRONG.get(id, "")
+		var frame := await _open(id, [hand_in] if hand_in else [])
 		await survey.look_at(frame, id, _states)
-		frame.free()
+		_leave(frame)
+		if hand_in:
+			frame = await _open(id, RIGHT)
+			await survey.look_at(frame, id + ", all right", 0, false)
+			_leave(frame)
 	print("%dx%d, text %s:" % [size.x, size.y, _text])
 	print("  smallest target %.1f px: %s" % [survey.smallest_target, survey.smallest_target_name])
 	print("  smallest text %.1f px: %s" % [survey.smallest_text, survey.smallest_text_name])
 	for problem in survey.problems:
 		print("  %s (%s)" % [problem, survey.problems[problem]])
 	return survey.problems.size()
+
+
+# As a student has it who has written what is in these hand-ins.
+func _open(id: String, hand_ins: PackedStringArray) -> LessonFrame:
+	_clear_desk()
+	for hand_in in hand_ins:
+		for file in DirAccess.get_files_at(_HAND_INS.path_join(hand_in)):
+			var from := _HAND_INS.path_join(hand_in).path_join(file)
+			DirAccess.copy_absolute(from, _DESK.path_join(file))
+	var watcher := WorkshopWatcher.of_lab(self)
+	watcher.folder = _DESK
+	watcher.report = null
+	watcher.check_now()
+	Navigation.open_lesson(self, LessonIndex.find(id))
+	while not current_scene or hand_ins and not (watcher.report and watcher.report.is_complete):
+		await process_frame
+		OS.delay_msec(2)
+	return current_scene as LessonFrame
+
+
+# The next time it is as at its start.
+func _leave(frame: LessonFrame) -> void:
+	frame.free()
+	LessonBoards.forget_all()
+
+
+func _clear_desk() -> void:
+	DirAccess.make_dir_recursive_absolute(_DESK)
+	for file in DirAccess.get_files_at(_DESK):
+		DirAccess.remove_absolute(_DESK.path_join(file))

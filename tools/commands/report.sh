@@ -64,4 +64,4 @@ fi
 	${compared[@]+"${compared[@]}"}
 rm -f "$folder/shots.json" "$folder/libraries.json" "$folder/libraries.log"
 [ -s "$folder/report.md" ] || die 1 "no report was written; see what Godot said above"
-say "written: build/report/report.md, error_vs_time.csv and a picture for each problem"
+say "written: build/report/report.md, rubric.html, error_vs_time.csv and a picture for each problem"

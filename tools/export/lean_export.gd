@@ -39,6 +39,7 @@ const _OF_THE_EDITOR: PackedStringArray = [
 	"debug/gdscript/warnings/unsafe_method_access",
 	"debug/gdscript/warnings/unsafe_cast",
 	"debug/gdscript/warnings/unsafe_call_argument",
+	"vec2_lab/lesson/besides",
 	"vec2_lab/start_screen/besides",
 ]
 

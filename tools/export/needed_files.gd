@@ -10,9 +10,6 @@ const WrittenCode := preload("written_code.gd")
 ## Paths with a place for a name, which the [LessonInfo] fills: only those can be followed.
 const _FILLED_BY_LESSONS: PackedStringArray = [LessonIndex.LESSON_FILE, LessonFrame.SERVICE_SCENE]
 
-# Folders in which only the workshop works, where it can start children; in an export it cannot.
-const _OF_WORKSHOP: PackedStringArray = ["res://", "res://workshop", "res://workshop/starters"]
-
 ## What is needed, the files at the start included; sorted.
 var files: PackedStringArray
 ## A sentence for each path that cannot be followed; empty when all is well.
@@ -75,8 +72,6 @@ func _named_by_string(string: String, script: String) -> PackedStringArray:
 	if not string.begins_with("res://"):
 		var beside := script.get_base_dir().path_join(string)
 		return [beside] if string.get_extension() and ResourceLoader.exists(beside) else []
-	if string in _OF_WORKSHOP:
-		return []
 	if not string.contains("%"):
 		return [string]
 	if not string in _FILLED_BY_LESSONS:

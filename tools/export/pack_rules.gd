@@ -18,8 +18,10 @@ const VECTOR_LESSONS: PackedStringArray = [
 const VECTOR_LESSON_LIMIT := 230_000
 const LESSON_LIMIT := 400_000
 
-const _IN_NO_PACK: PackedStringArray = ["addons", "benchmarks", "docs", "tests", "tools"]
-const _IN_NO_LESSON := "workshop"
+# In a pack no code of a student can be run, so nothing that judges or shows it is there.
+const _IN_NO_PACK: PackedStringArray = [
+	"addons", "benchmarks", "docs", "scenes/workshop", "tests", "tools", "workshop"
+]
 const _IN_NO_VECTOR_LESSON: PackedStringArray = [
 	"scripts/collision", "scripts/world", "scripts/report", "scenes/engine_cases"
 ]
@@ -43,8 +45,6 @@ static func broken_by(demo: String, pack: Pack) -> PackedStringArray:
 static func _misplaced(demo: String, use: PackUse) -> PackedStringArray:
 	var misplaced: PackedStringArray = []
 	var forbidden := _IN_NO_PACK.duplicate()
-	if demo != Demos.LAB:
-		forbidden.append(_IN_NO_LESSON)
 	if demo in VECTOR_LESSONS:
 		forbidden.append_array(_IN_NO_VECTOR_LESSON)
 	for path: String in use.resources:

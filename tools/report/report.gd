@@ -19,6 +19,7 @@ var _others: Array[Array] = []
 
 
 func _init() -> void:
+	TranslationServer.set_locale(LabText.ENGLISH)
 	for argument: String in OS.get_cmdline_user_args():
 		if argument == "--quick":
 			_is_quick = true

@@ -1,7 +1,14 @@
 extends RefCounted
 ## Writes the files of build/report/.
 
+const RubricText := preload("../web/rubric_text.gd")
+
 const FOLDER := "res://build/report"
+
+# Where `./lab serve` shows the lab.
+const _SERVED_LAB := "http://127.0.0.1:8000/lab/index.html"
+# From that folder to a file of the project.
+const _SOURCE := "../../%s"
 
 
 ## [param comparison] ends report.md; may be "".
@@ -16,6 +23,7 @@ static func write(
 		var rows := Measurement.of_problem(problem.id, measurements)
 		_write_text(problem.id + ".svg", ProblemPicture.of(problem, rows))
 	var text := ReportText.of(problems, measurements, _circumstances(form))
+	_write_text("rubric.html", RubricText.page(_SERVED_LAB, _SOURCE))
 	_write_text("report.md", text + ("\n" + comparison if comparison else ""))
 
 

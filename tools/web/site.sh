@@ -6,7 +6,7 @@ site=$LAB_BUILD/export/web
 is_site_up_to_date() {
 	[ -f "$site/index.html" ] || return 1
 	local newer
-	newer=$(cd "$LAB_ROOT" && find scripts scenes assets tools/web docs/teaching.md project.godot export_presets.cfg \
+	newer=$(cd "$LAB_ROOT" && find scripts scenes assets workshop/kit workshop/starters tools/web docs/teaching.md project.godot export_presets.cfg \
 		-newer "$site/index.html" -print 2>/dev/null)
 	[ -z "$newer" ]
 }

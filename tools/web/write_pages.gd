@@ -1,8 +1,9 @@
 extends SceneTree
-## Writes the index of the exported web demos and the speaker's notes, and fills in each demo's
-## page: see web_pages.gd.
+## Writes the index of the exported web demos, the speaker's notes and the rubric, and fills in each
+## demo's page: see web_pages.gd.
 ## Usage: godot --headless --path . -s tools/web/write_pages.gd -- FOLDER
 
+const RubricText := preload("rubric_text.gd")
 const TeachingPlan := preload("teaching_plan.gd")
 const WebDemo := preload("web_demo.gd")
 const WebPages := preload("web_pages.gd")
@@ -10,6 +11,9 @@ const WebPages := preload("web_pages.gd")
 const _FORM := "res://tools/web/index_page.html"
 const _NOTES_FORM := "res://tools/web/notes_page.html"
 const _ICON := "res://assets/icons/app_icon.svg"
+const _ICON_LINK := '<link rel="icon" type="image/svg+xml" href="icon.svg">'
+# Where on the site a file of the project can be read.
+const _SOURCE := "sources/%s.txt"
 # What a browser needs to put the lab among a machine's programs.
 const _MANIFEST := "res://tools/web/manifest.webmanifest"
 
@@ -18,6 +22,7 @@ var _failed := 0
 
 
 func _init() -> void:
+	TranslationServer.set_locale(LabText.ENGLISH)
 	_site = OS.get_cmdline_user_args()[0]
 	var demos: Array[WebDemo] = WebDemo.all().filter(_is_there)
 	for place in demos.size():
@@ -25,10 +30,13 @@ func _init() -> void:
 	_copy_pictures()
 	var page := FileAccess.get_file_as_string(_FORM)
 	_write("index.html", WebPages.index(page, demos, _engine_bytes()))
-	# The notes lead the lab.
+	# The notes lead the lab, and so does the rubric.
 	if demos[0].id == WebDemo.LAB:
 		var notes := FileAccess.get_file_as_string(_NOTES_FORM)
 		_write("notes.html", WebPages.notes(notes, TeachingPlan.new()))
+		var rubric := RubricText.page("lab/index.html", _SOURCE)
+		_write("rubric.html", WebPages.fill(rubric, "icon", _ICON_LINK))
+		_copy_sources()
 	quit(mini(_failed, 1))
 
 
@@ -57,6 +65,15 @@ func _copy_pictures() -> void:
 		_copy(lesson.card_path(), "cards/%s.png" % lesson.id)
 	_copy(_ICON, "icon.svg")
 	_copy(_MANIFEST, "manifest.webmanifest")
+
+
+# As plain text: a browser then shows them.
+func _copy_sources() -> void:
+	for path in RubricText.sources():
+		var place := _SOURCE % path
+		var folder := _site.path_join(place.get_base_dir())
+		_check(DirAccess.make_dir_recursive_absolute(folder), folder)
+		_copy("res://" + path, place)
 
 
 func _copy(from: String, to: String) -> void:

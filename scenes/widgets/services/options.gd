@@ -15,6 +15,8 @@ signal picked(changes: Dictionary)
 const _WIDEST_SWITCH := 200.0
 # The text of a list wraps where there is little room.
 const _SMALLEST_LIST := Vector2(150.0, 44.0)
+# What a finger can hit: the text may be one word of two letters.
+const _SMALLEST_PRESET := Vector2(44.0, 44.0)
 
 var _buttons: Dictionary[String, CheckButton] = {}
 var _lists: Dictionary[String, OptionButton] = {}
@@ -128,6 +130,7 @@ func add_preset(key: String, text: String) -> void:
 	_preset_texts[button] = text
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.theme_type_variation = &"ButtonSmall"
+	button.custom_minimum_size = _SMALLEST_PRESET
 	button.pressed.connect(preset_picked.emit.bind(key))
 	button.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	_presets.add_child(button)

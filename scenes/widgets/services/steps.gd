@@ -24,6 +24,8 @@ const NO_BREAK_SPACE := "\u00a0"
 
 # Where there is less width, the sentence has all of it, below the buttons.
 const _NARROW := 400.0
+# What a finger can hit: a choice may be one letter.
+const _SMALLEST_BUTTON := Vector2(44.0, 44.0)
 # Letters at the end of a sentence between which no line ends.
 const _ENDING := 12
 
@@ -103,6 +105,11 @@ func tell(sentences: PackedStringArray) -> void:
 ## Whether the step that is shown is the last one.
 func is_at_end() -> bool:
 	return _step == _sentences.size() - 1
+
+
+## Whether the student is asked something just now: what answers it has to wait.
+func is_asking() -> bool:
+	return _is_asking
 
 
 ## Goes to a step, counted from 0; stays inside the first and the last. Asks nothing.
@@ -238,6 +245,7 @@ func _offer(choices: PackedStringArray, right: Callable) -> bool:
 		button.text = Conventions.in_unit(choices[i])
 		button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 		button.theme_type_variation = &"ButtonSmall"
+		button.custom_minimum_size = _SMALLEST_BUTTON
 		button.pressed.connect(_choose.bind(i))
 		_choices.add_child(button)
 	return true

@@ -37,11 +37,27 @@ func _ready() -> void:
 	_angle.refused.connect(func(sentence: String) -> void: _said.text = sentence)
 	_is_around.toggled.connect(_show_all.unbind(1))
 	_board.resized.connect(_fit)
+	Conventions.changed().connect(_turn_over)
 	if WorkshopChild.can_run():
 		_watcher = WorkshopWatcher.of_lab(get_tree())
 		_watcher.judged.connect(_show_all.unbind(1))
 		_watcher.began.connect(_show_all)
 		_watcher.answered.connect(_take_answer)
+	_turn_over()
+
+
+func _unhandled_input(event: InputEvent) -> void:
+	super(event)
+	ViewOptions.choose_convention(event)
+
+
+func _say_again() -> void:
+	super()
+	_show_all()
+
+
+func _turn_over() -> void:
+	_board.turn_over(Conventions.is_y_up())
 	_show_all()
 	_fit()
 

@@ -17,6 +17,8 @@ var exercises: PackedInt32Array
 var lesson: String
 ## How it is shown; see [enum Proof].
 var proof := Proof.EXERCISES
+## The tests of this project that show it, as paths below `res://`.
+var tests: PackedStringArray = []
 
 
 func _init(
@@ -31,6 +33,12 @@ func _init(
 	lesson = its_lesson
 	exercises = its_exercises
 	proof = its_proof
+
+
+## The same line, shown by these tests of the project.
+func tested_by(paths: PackedStringArray) -> RubricLine:
+	tests = paths
+	return self
 
 
 ## How far the student is with it.

@@ -11,6 +11,9 @@ signal rotation_wanted
 const _ROW := preload("res://scenes/workshop/room/rubric_row.tscn")
 
 var _rows: Array[RubricRow] = []
+# Rows and headings: all that says something in one language.
+var _added: Array[Control] = []
+var _watcher: WorkshopWatcher
 
 @onready var _lines: VBoxContainer = %Lines
 @onready var _reached: Label = %Reached
@@ -20,20 +23,34 @@ var _rows: Array[RubricRow] = []
 func _ready() -> void:
 	super()
 	_rotation.pressed.connect(rotation_wanted.emit)
+	_add_lines()
+	_show_report(null)
+	if not WorkshopChild.can_run():
+		return
+	_watcher = WorkshopWatcher.of_lab(get_tree())
+	_watcher.judged.connect(_show_report)
+	_watcher.began.connect(_show_report.bind(null))
+	_show_report(_watcher.report)
+
+
+# His verdicts follow as soon as they have been said in that language.
+func _say_again() -> void:
+	super()
+	for line in _added:
+		line.queue_free()
+	_added.clear()
+	_rows.clear()
+	_add_lines()
+	_show_report(null)
+
+
+func _add_lines() -> void:
 	var mark := WorkshopReport.Mark.NOT_YET
 	for line in Rubric.lines():
 		if line.mark != mark:
 			mark = line.mark
 			_add_heading(mark)
 		_add_row(line)
-	_show_report(null)
-	if not WorkshopChild.can_run():
-		return
-	var watcher := WorkshopWatcher.of_lab(get_tree())
-	watcher.judged.connect(_show_report)
-	watcher.began.connect(_show_report.bind(null))
-	if watcher.report:
-		_show_report(watcher.report)
 
 
 func _add_heading(mark: WorkshopReport.Mark) -> void:
@@ -43,11 +60,13 @@ func _add_heading(mark: WorkshopReport.Mark) -> void:
 	heading.text = tr("For “%s”") % WorkshopReport.name_of(mark)
 	heading.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_lines.add_child(heading)
+	_added.append(heading)
 
 
 func _add_row(line: RubricLine) -> void:
 	var row := _ROW.instantiate() as RubricRow
 	_lines.add_child(row)
+	_added.append(row)
 	row.show_line(line)
 	row.lesson_wanted.connect(lesson_wanted.emit)
 	_rows.append(row)

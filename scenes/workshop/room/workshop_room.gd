@@ -16,14 +16,24 @@ var _is_through := false
 
 func _ready() -> void:
 	super()
+	_say()
 	if not WorkshopChild.can_run():
-		_said.text = tr("Your own code runs where the project is open in Godot, not in a demo.")
 		return
-	_said.text = tr("Looking at your code")
 	var watcher := WorkshopWatcher.of_lab(get_tree())
 	watcher.judged.connect(_lead_on)
 	if watcher.report:
 		_lead_on(watcher.report)
+
+
+func _say_again() -> void:
+	super()
+	_say()
+
+
+func _say() -> void:
+	_said.text = tr("Looking at your code")
+	if not WorkshopChild.can_run():
+		_said.text = tr("Your own code runs where the project is open in Godot, not in a demo.")
 
 
 func _lead_on(report: WorkshopReport) -> void:

@@ -22,16 +22,14 @@ var _is_told := not DisplayServer.is_touchscreen_available()
 
 
 func _ready() -> void:
-	LabText.choose_language()
-	InputActions.load_packed()
-	WindowFit.follow(get_window())
-	add_child(ViewOptions.new())
-	Signs.add_to_font()
+	ViewOptions.begin(self).language_changed.connect(_say_again)
 	_back.visible = left.has_connections()
 	_back.pressed.connect(left.emit)
 	if _back.visible:
 		_purposes = _WAY_BACK.merged(_purposes)
 		_back.grab_focus()
+	if WorkshopChild.can_run():
+		_purposes.merge(OwnCode.ACTIONS)
 	resized.connect(_show_help)
 	_tell_keys(false)
 
@@ -50,6 +48,13 @@ func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
 		get_viewport().set_input_as_handled()
 		left.emit()
+	elif WorkshopChild.can_run() and event.is_action_pressed(&"lab_check_code", false, true):
+		WorkshopWatcher.of_lab(get_tree()).check_now()
+
+
+# In the language that is spoken now. What is in the scene, the engine says anew by itself.
+func _say_again() -> void:
+	_tell_keys(false)
 
 
 func _tell_keys(for_joypad: bool) -> void:

@@ -58,20 +58,25 @@ func test_no_pack_holds_or_names_tests_tools_documents_or_the_test_runner() -> v
 			assert_false(lists.contains("res://%s/" % folder), "%s holds %s" % [demo, folder])
 
 
-func test_no_lesson_holds_a_word_of_the_workshop() -> void:
+func test_no_pack_holds_a_word_of_the_workshop() -> void:
 	var all := CollectTexts.messages()
 	var of_workshop := all.keys().filter(
 		func(message: String) -> bool: return _is_of_workshop(all[message])
 	)
 	assert_gt(of_workshop.size(), 200)
 	assert_has(_texts_in("dot_product"), "The dot product", "texts are found in a pack")
-	for demo: String in ["dot_product", "angled_lines"]:
+	for demo: String in _DEMOS:
 		for message in _texts_in(demo):
 			assert_does_not_have(of_workshop, message, demo)
 
 
-func test_no_lesson_names_the_workshop() -> void:
-	for demo: String in ["dot_product", "angled_lines"]:
+func test_no_pack_holds_or_names_the_workshop() -> void:
+	for demo: String in _DEMOS:
+		for file: String in _packs[demo].sizes:
+			assert_false(file.contains("workshop"), "%s holds %s" % [demo, file])
+		assert_false(_list_of_classes(demo).contains("workshop"), demo)
+		for action: StringName in [&"lab_own_code", &"lab_check_code"]:
+			assert_does_not_have(_actions_in(demo), action, demo)
 		var settings := _packs[demo].bytes_of("project.binary").hex_encode()
 		assert_false(settings.contains("workshop".to_utf8_buffer().hex_encode()), demo)
 

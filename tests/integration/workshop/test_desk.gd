@@ -156,6 +156,38 @@ func test_hidden_answers_hide_it() -> void:
 	assert_eq(answers().modulate.a, 1.0)
 
 
+func test_while_the_lesson_asks_nothing_of_his_gives_the_answer_away() -> void:
+	await open_with_desk(&"dot_product")
+	await save_hand_in("right_plain")
+	await wait_for_answer("vector_projection")
+	assert_true(answers().is_visible_in_tree())
+	await _be_asked_where_the_shadow_ends()
+	assert_false(answers().is_visible_in_tree(), "the question is there")
+	await click_button("b on a")
+	await wait_for_answer("vector_projection")
+	assert_false(answers().is_visible_in_tree(), "it is still asked")
+	await student.press(&"lab_next_step")
+	assert_true(answers().is_visible_in_tree(), "the answer is there")
+
+
+func test_while_the_lesson_asks_the_right_numbers_wait_and_other_sentences_do_not() -> void:
+	var wanted := func() -> Label: return section().get_node("%Wanted") as Label
+	var sentence := func() -> Label: return section().get_node("%Sentence") as Label
+	await open_with_desk(&"dot_product")
+	await _save(_WRONG)
+	await _be_asked_where_the_shadow_ends()
+	for label: Label in [wanted.call(), sentence.call()]:
+		assert_eq(label.self_modulate.a, 0.0 if label.name == &"Wanted" else 1.0, label.name)
+	await _save("return x * other.x + 3.0 * y * y")
+	assert_eq(watcher.report.verdict(3).kind, WorkshopVerdict.Kind.UNKNOWN)
+	await student.settle()
+	for label: Label in [wanted.call(), sentence.call()]:
+		assert_eq(label.self_modulate.a, 0.0, label.name)
+	await student.press(&"lab_next_step")
+	for label: Label in [wanted.call(), sentence.call()]:
+		assert_eq(label.self_modulate.a, 1.0, label.name)
+
+
 func test_undo_and_links_know_nothing_of_it() -> void:
 	await open_with_desk(&"dot_product")
 	var link := frame().lesson.link_state()
@@ -200,6 +232,12 @@ func test_it_speaks_another_language_at_once() -> void:
 	await wait_for(is_judged)
 	assert_reads("Je eigen code")
 	LabText.speak_for_now("en")
+
+
+func _be_asked_where_the_shadow_ends() -> void:
+	for press: int in 2:
+		await student.press(&"lab_next_step")
+	assert_reads("Where does the shadow of a end?")
 
 
 # Saves a body of `dot`, and waits until it has been judged.

@@ -56,6 +56,17 @@ func test_it_starts_anew_when_the_lesson_does() -> void:
 	assert_eq(_flight().ball(), start)
 
 
+func test_it_waits_while_the_lesson_asks_where_the_ball_touches() -> void:
+	await _fly("right_step")
+	await student.press(&"lab_next_frame")
+	await wait_for(_flight().is_current)
+	await student.press(&"lab_next_step")
+	assert_true((frame().lesson.get_node("%Guess") as Guess).visible)
+	assert_false(_flight().visible)
+	await student.press(&"lab_next_step")
+	assert_true(_flight().visible)
+
+
 func test_undo_and_links_know_nothing_of_it() -> void:
 	await _fly("right_step")
 	await student.press(&"lab_next_frame")

@@ -7,6 +7,7 @@ const WebPages := preload("res://tools/web/web_pages.gd")
 
 const INDEX := "res://tools/web/index_page.html"
 const NOTES := "res://tools/web/notes_page.html"
+const RUBRIC := "res://tools/web/rubric_page.html"
 const PAGE := "res://tools/web/demo_page.html"
 
 const SIZES: Dictionary[String, int] = {"wasm": 37000000, "pck": 145000}
@@ -31,6 +32,7 @@ func test_the_index_has_a_card_for_each_demo_that_is_there() -> void:
 		[
 			"lab/index.html",
 			"notes.html",
+			"rubric.html",
 			"dot_product/index.html",
 			"projection_proof/index.html",
 		]
@@ -126,7 +128,7 @@ func test_every_colour_of_the_pages_is_one_of_the_palette() -> void:
 	]
 	for role: Palette.Role in Palette.Role.values():
 		colors.append(Palette.color(role))
-	for file: String in [INDEX, PAGE]:
+	for file: String in [INDEX, PAGE, NOTES, RUBRIC]:
 		var found := RegEx.create_from_string("#([0-9a-f]{6})\\b").search_all(_text(file))
 		assert_gt(found.size(), 5, file)
 		for hit in found:
