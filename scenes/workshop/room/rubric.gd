@@ -116,15 +116,23 @@ static func _excellent() -> Array[RubricLine]:
 	]
 
 
-# What the rubric asks for beyond the exercises. The lab has no tests on aiming yet.
+# What the rubric asks for beyond the exercises.
 static func _in_own_project() -> Array[RubricLine]:
 	return [
 		_of_own_project(LabText.translate("Vectors: useful extras"), "more_dimensions").tested_by(
 			["tests/unit/test_vec2_movement.gd", "tests/unit/test_vec2_angles.gd"]
 		),
-		_of_own_project(
-			LabText.translate("Aiming: at a target, ahead of a moving one, with gravity"),
-			"dot_product"
+		(
+			_of_own_project(
+				LabText.translate("Aiming: at a target, ahead of a moving one, with gravity"),
+				"dot_product"
+			)
+			. tested_by(
+				[
+					"tests/unit/aiming/test_lead_aim.gd",
+					"tests/unit/aiming/test_ballistic_aim.gd",
+				]
+			)
 		),
 		(
 			_of_own_project(
