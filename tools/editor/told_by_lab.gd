@@ -1,6 +1,6 @@
 extends SceneTree
 ## Starts the lab as a user does, and prints what it says of the student's own code: a line whenever
-## that changes, with the milliseconds of the day. The lesson's opening does not move: the numbers on
+## that changes, with the milliseconds of the day. The opening does not move: the numbers on
 ## the board stay. [code]check_workshop.sh[/code] runs it beside the editor.
 ## Usage: godot --path . -s tools/editor/told_by_lab.gd -- --lesson=ID
 
