@@ -46,6 +46,7 @@ func _run() -> void:
 	await _print_times()
 	await _print_frames()
 	_print_load()
+	_watcher.free()
 	_empty_folder()
 	DirAccess.remove_absolute(FOLDER)
 	DirAccess.remove_absolute(KeptChoices.file)
