@@ -217,9 +217,11 @@ func _empty_folder() -> void:
 
 
 func _print_load() -> void:
-	var load := FileAccess.open("/proc/loadavg", FileAccess.READ)
-	if load:
-		print("Load of the machine's %d cores: %s" % [OS.get_processor_count(), load.get_line()])
+	var averages := FileAccess.open("/proc/loadavg", FileAccess.READ)
+	if averages:
+		print(
+			"Load of the machine's %d cores: %s" % [OS.get_processor_count(), averages.get_line()]
+		)
 
 
 func _renderer() -> String:

@@ -63,7 +63,7 @@ func test_a_newer_copy_unpacked_over_it_leaves_his_files() -> void:
 
 func test_a_pull_leaves_his_files() -> void:
 	_begin_history(_OLD)
-	assert_eq(_git(_OLD, ["status", "--short"]), "", "git does not see his files")
+	assert_eq(_said_by_git(_OLD, ["status", "--short"]), "", "git does not see his files")
 	_git(_OLD, ["clone", "-q", ".", ProjectSettings.globalize_path(_NEW)])
 	_change(_NEW)
 	_commit(_NEW)
@@ -78,7 +78,7 @@ func test_a_pull_leaves_his_files() -> void:
 
 func _listed() -> PackedStringArray:
 	var asked: PackedStringArray = ["ls-files", "-c", "-o", "--exclude-standard", "workshop"]
-	return _git("res://", asked).split("\n", false)
+	return _said_by_git("res://", asked).split("\n", false)
 
 
 func _unpack(folder: String) -> void:
@@ -110,12 +110,19 @@ func _commit(folder: String) -> void:
 	)
 
 
-func _git(folder: String, arguments: PackedStringArray) -> String:
+func _git(folder: String, arguments: PackedStringArray) -> void:
+	assert_eq(OS.execute("git", _in_folder(folder, arguments)), 0, " ".join(arguments))
+
+
+func _said_by_git(folder: String, arguments: PackedStringArray) -> String:
 	var said := []
-	var all: PackedStringArray = ["-C", ProjectSettings.globalize_path(folder)]
-	var code := OS.execute("git", all + arguments, said)
+	var code := OS.execute("git", _in_folder(folder, arguments), said)
 	var words: String = said[0]
 	return words if code == 0 else ""
+
+
+static func _in_folder(folder: String, arguments: PackedStringArray) -> PackedStringArray:
+	return PackedStringArray(["-C", ProjectSettings.globalize_path(folder)]) + arguments
 
 
 func _write(path: String, text: String) -> void:

@@ -101,8 +101,8 @@ func test_nothing_that_the_lab_calls_waits() -> void:
 	for path in scripts:
 		var code := FileAccess.get_file_as_string(path)
 		assert_ne(code, "", path)
-		for call: String in _WAITING:
-			assert_false(code.contains(call), "%s calls %s" % [path, call])
+		for waiting in _WAITING:
+			assert_false(code.contains(waiting), "%s calls %s" % [path, waiting])
 
 
 func test_the_student_s_method_answers_for_other_numbers() -> void:
