@@ -46,6 +46,7 @@ func _run() -> void:
 	await _print_times()
 	await _print_frames()
 	_print_load()
+	current_scene.free()
 	_watcher.free()
 	_empty_folder()
 	DirAccess.remove_absolute(FOLDER)
