@@ -64,6 +64,12 @@ func follow(lesson: Lesson, watcher: WorkshopWatcher, exercises: Array[WorkshopE
 		_show_report(watcher.report)
 
 
+## Unfolds it, and brings it into view.
+func unfold() -> void:
+	_unfold()
+	get_tree().process_frame.connect(_come_into_view, CONNECT_ONE_SHOT)
+
+
 func _process(_seconds: float) -> void:
 	# Blank, it keeps its place.
 	var is_judging := not _watcher.report or _watcher.is_judging()
@@ -143,6 +149,11 @@ func _show_costs(verdict: WorkshopVerdict) -> void:
 func _unfold_once(report: WorkshopReport) -> void:
 	if _was_unfolded or stays_folded or not _exercises.any(_is_begun.bind(report)):
 		return
+	_unfold()
+
+
+# The student has not done it himself.
+func _unfold() -> void:
 	_was_unfolded = true
 	set_block_signals(true)
 	folded = false

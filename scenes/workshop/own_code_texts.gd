@@ -13,7 +13,7 @@ static func heading(exercise: WorkshopExercise) -> String:
 
 ## The file of a verdict, its line, and the mistake's number in the course's list.
 static func place(verdict: WorkshopVerdict) -> String:
-	var parts: PackedStringArray = [verdict.file]
+	var parts: PackedStringArray = [WorkshopFiles.FOLDER.get_file().path_join(verdict.file)]
 	if verdict.line > 0:
 		parts.append(LabText.translate("line %d") % verdict.line)
 	if verdict.mistake > 0:

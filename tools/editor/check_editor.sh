@@ -7,12 +7,12 @@ set -euo pipefail
 . "$(dirname "$0")/../shared/common.sh"
 # shellcheck source-path=SCRIPTDIR source=../draw/screen.sh
 . "$(dirname "$0")/../draw/screen.sh"
+# shellcheck source-path=SCRIPTDIR source=editor.sh
+. "$(dirname "$0")/editor.sh"
 
 # Seconds without a line after which the editor is stopped: it says nothing while it reads a fresh project for the first
 # time, which takes a minute on a busy machine.
 PATIENCE=180
-# A space and an accent, as in many home folders.
-copy="$LAB_BUILD/editor check é"
 keep=
 case ${1:-} in
 	--keep) keep=1 ;;
@@ -20,31 +20,10 @@ case ${1:-} in
 	*) die 2 "usage: tools/editor/check_editor.sh [--keep]" ;;
 esac
 
-# The files of the project, without those that git ignores.
-own_files() {
-	cd "$LAB_ROOT"
-	git ls-files --cached --others --exclude-standard -z | while IFS= read -r -d '' file; do
-		[ ! -e "$file" ] || printf '%s\0' "$file"
-	done
-}
-
-in_copy() { git -C "$copy" -c user.name=check -c user.email=check@localhost "$@"; }
-
-make_copy() {
-	rm -rf "$copy"
-	mkdir -p "$copy"
-	own_files | tar -c -C "$LAB_ROOT" --null -T - | tar -x -C "$copy"
+enable_plugin() {
 	sed -i.before 's|^enabled=PackedStringArray(\(.*\))|enabled=PackedStringArray(\1, "res://tools/editor/plugin.cfg")|' \
 		"$copy/project.godot"
 	rm "$copy/project.godot.before"
-	in_copy init -q
-	in_copy add -A
-	in_copy commit -q -m "as it was"
-}
-
-# Without a graphics card the editor tries Vulkan before OpenGL, and says so.
-messages() {
-	messages_of_editor "$log" | grep -v -e 'VK_KHR_surface' -e 'Condition "err != OK" is true' || true
 }
 
 # use_editor NAME SCENE...: says what is wrong.
@@ -52,10 +31,9 @@ use_editor() {
 	local name=$1 status=0 said changed
 	shift
 	log="$LAB_BUILD/editor_${name// /_}.log"
-	XDG_CONFIG_HOME=$LAB_BUILD/editor_home XDG_DATA_HOME=$LAB_BUILD/editor_home XDG_CACHE_HOME=$LAB_BUILD/editor_home \
-		"$LAB_ROOT/tools/shared/run_with_patience.sh" "$PATIENCE" "$godot" --editor --path "$copy" --audio-driver Dummy \
-		--rendering-driver opengl3 -- "$@" >"$log" || status=$?
-	said=$(messages)
+	"${at_home[@]}" "$LAB_ROOT/tools/shared/run_with_patience.sh" "$PATIENCE" "$godot" --editor --path "$copy" \
+		--audio-driver Dummy --rendering-driver opengl3 -- "$@" >"$log" || status=$?
+	said=$(said_by_editor "$log")
 	changed=$(in_copy status --short)
 	if [ "$status" -eq 0 ] && grep -q '^editor: done$' "$log" && [ -z "$said$changed" ]; then
 		echo "ok: the editor $name, $# scenes"
@@ -77,7 +55,6 @@ take_over() {
 need git git || exit 2
 prepare_project
 make_build_folder
-rm -rf "$LAB_BUILD/editor_home"
 trap close_screen EXIT
 open_screen
 use_drivers_beside_godot
@@ -88,6 +65,8 @@ done < <(find "$LAB_ROOT/scenes" -name '*.tscn' | sort)
 
 failed=0
 make_copy
+enable_plugin
+remember_copy
 use_editor "without GUT" "${scenes[@]}"
 [ -z "$keep" ] || take_over
 if [ -f "$LAB_ROOT/addons/gut/gut.gd" ]; then

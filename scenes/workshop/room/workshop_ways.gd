@@ -49,8 +49,15 @@ static func take_way_back() -> bool:
 	return comes_back
 
 
+# Who comes from here wants to write: what is asked of him is not folded away.
 static func _open_lesson(lesson: LessonInfo, tree: SceneTree) -> void:
 	Navigation.open_lesson(tree, lesson)
+	_unfold_section.call_deferred(tree)
+
+
+static func _unfold_section(tree: SceneTree) -> void:
+	for section: OwnCode in tree.current_scene.find_children("*", "OwnCode", true, false):
+		section.unfold()
 
 
 static func _made(scene: String) -> Node:

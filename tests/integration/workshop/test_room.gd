@@ -10,6 +10,17 @@ func test_it_opens_the_lesson_of_the_first_exercise_while_nothing_is_written() -
 	assert_eq(frame().lesson_info.id, &"normals")
 
 
+func test_what_is_to_be_written_is_in_view_there() -> void:
+	await _run_workshop()
+	await student.settle()
+	assert_reads("Write normalized in my_vec2.gd.")
+	var section := frame().find_children("*", "OwnCode", true, false)[0] as OwnCode
+	var panel := frame().get_node("%Panel") as ScrollContainer
+	for part: String in ["%Sentence", "%Verdict"]:
+		var place := (section.get_node(part) as Control).get_global_rect()
+		assert_true(panel.get_global_rect().encloses(place), part)
+
+
 func test_it_opens_the_lesson_of_the_first_exercise_that_is_not_right() -> void:
 	write_first_two()
 	await _run_workshop()

@@ -8,6 +8,12 @@ const _WRONG := "\treturn x * other.x - y * other.y"
 const _LOOP := "\twhile true:\n\t\tpass\n\treturn 0.0"
 const _OPEN := "\treturn 0.0"
 const _SAVES := 6
+const _QUESTIONS := 3000
+const _FRAMES := 30
+# Calls of the engine that come back only when another process or thread has done something.
+const _WAITING: PackedStringArray = [
+	"OS.execute(", "OS.delay_", ".wait()", "wait_to_finish(", "read_string_from_stdin(", "get_line("
+]
 ## Frames in which a verdict must have come.
 const _PATIENCE := 30_000
 
@@ -69,6 +75,34 @@ func test_no_child_is_left_when_the_watcher_goes_while_his_code_hangs() -> void:
 	OS.delay_msec(300)
 	# The engine does not know a child any more that it has ended: so the system is asked.
 	assert_ne(OS.execute("kill", ["-0", str(child)]), 0)
+
+
+# No signal reaches a process that stands still, but the one that ends it.
+func test_a_child_that_stands_still_does_not_hold_up_the_lab() -> void:
+	_save(_WRONG)
+	await _verdict()
+	assert_eq(OS.execute("kill", ["-STOP", str(_watcher.child_id())]), 0)
+	watch_signals(_watcher)
+	# More than its pipe takes.
+	for question: int in _QUESTIONS:
+		_watcher.ask("dot", PackedFloat64Array([question, 2.0, 3.0, 4.0]))
+	for frame in _FRAMES:
+		await get_tree().process_frame
+	assert_signal_not_emitted(_watcher, "answered")
+	assert_true(OS.is_process_running(_watcher.child_id()))
+	_save(_RIGHT)
+	assert_true((await _verdict()).is_right(), "the next save has a child of its own")
+
+
+func test_nothing_that_the_lab_calls_waits() -> void:
+	var scripts := SourceCode.files_below("res://scenes/workshop", ["gd"])
+	for script: String in ["child.gd", "watcher.gd", "files.gd", "report.gd"]:
+		scripts.append("res://workshop/kit/" + script)
+	for path in scripts:
+		var code := FileAccess.get_file_as_string(path)
+		assert_ne(code, "", path)
+		for waiting in _WAITING:
+			assert_false(code.contains(waiting), "%s calls %s" % [path, waiting])
 
 
 func test_the_student_s_method_answers_for_other_numbers() -> void:
