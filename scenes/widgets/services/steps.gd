@@ -37,6 +37,16 @@ var count: int:
 	get:
 		return _sentences.size()
 
+## The steps, counted from 0, before which the student was asked: there it is asked no more.
+var asked_before: PackedInt32Array:
+	get:
+		return Array(_questions.keys()).filter(
+			func(before: int) -> bool: return _questions[before].was_asked
+		)
+	set(value):
+		for before in _questions:
+			_questions[before].was_asked = before in value
+
 var _sentences: PackedStringArray = []
 var _step := 0
 # What is asked, by the step that comes after it.
@@ -109,14 +119,6 @@ func is_at_end() -> bool:
 func go_to(at: int) -> void:
 	_end_prediction()
 	_show_step(at)
-
-
-## The same, and what is asked before this step, or one before it, is asked no more.
-func open_at(at: int) -> void:
-	for before in _questions:
-		if before <= at:
-			_questions[before].was_asked = true
-	go_to(at)
 
 
 ## From now on one step more than there are leads somewhere: translated words for the buttons say
