@@ -126,8 +126,8 @@ func _group_width(start: int, widths: PackedFloat64Array) -> float:
 	return width if width <= size.x else 0.0
 
 
-# The width of the part with what is in the parentheses that open in it, to where they close; its own
-# width where none do, or where that is too long for a row.
+# The width of the part and of what follows until the parentheses that open in it are closed; its
+# own width where none open, or where that is too long for a row.
 func _width_to_closing(start: int, widths: PackedFloat64Array) -> float:
 	var width := 0.0
 	var open := 0

@@ -93,7 +93,12 @@ static func kept_together(sentence: String) -> String:
 	for sign_between in "·−=<≤>/+":
 		var kept_sign := NO_BREAK_SPACE + sign_between + NO_BREAK_SPACE
 		kept = kept.replace(" " + sign_between + " ", kept_sign)
-	return kept.left(-_ENDING) + kept.right(_ENDING).replace(" ", NO_BREAK_SPACE)
+	return with_whole_ending(kept)
+
+
+## [param text] with no short word left alone in its last line.
+static func with_whole_ending(text: String) -> String:
+	return text.left(-_ENDING) + text.right(_ENDING).replace(" ", NO_BREAK_SPACE)
 
 
 func _ready() -> void:
