@@ -37,6 +37,14 @@ var step_count: int:
 	get:
 		return services[&"steps"].get(&"count") if services.has(&"steps") else 1
 
+## The steps, counted from 0, before which the student was asked.
+var asked_before: PackedInt32Array:
+	get:
+		return services[&"steps"].get(&"asked_before") if services.has(&"steps") else []
+	set(value):
+		if services.has(&"steps"):
+			services[&"steps"].set(&"asked_before", value)
+
 var _kept_model: LessonModel
 var _show_model: Callable
 var _points_to_show: Callable
@@ -115,11 +123,12 @@ func is_opening() -> bool:
 	return _opening != null
 
 
-## Shows a step, counted from 0, as a link names it: what is asked before it is asked no more.
+## Shows a step, counted from 0, as a link names it. What is asked before it is asked when the
+## student comes to it step by step.
 func show_step(at: int) -> void:
 	stop_opening()
 	if services.has(&"steps"):
-		services[&"steps"].call(&"open_at", at)
+		services[&"steps"].call(&"go_to", at)
 
 
 ## Only for a lesson with steps. When the student goes forward to the step [param before], counted

@@ -1,7 +1,8 @@
 class_name LessonAgenda
 extends RefCounted
-## The headings under which the start screen shows the lessons, in the order of the lecture. The
-## numbers of the lessons are their places in the [LessonIndex]: the lecture has the proof behind.
+## The headings under which the start screen shows the lessons, in the order of the lecture. It is
+## also the order in which one lesson leads to the next. The numbers of the lessons are their places
+## in the [LessonIndex]: the lecture has the proof behind.
 
 
 ## A heading with its lessons.
@@ -37,6 +38,14 @@ static func parts() -> Array[Part]:
 	last.lessons = others
 	found.append(last)
 	return found.filter(func(part: Part) -> bool: return not part.lessons.is_empty())
+
+
+## All lessons in this order.
+static func lessons() -> Array[LessonInfo]:
+	var found: Array[LessonInfo] = []
+	for part in parts():
+		found.append_array(part.lessons)
+	return found
 
 
 static func _lecture() -> Array[Part]:

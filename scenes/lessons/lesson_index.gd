@@ -1,6 +1,7 @@
 class_name LessonIndex
 extends RefCounted
-## The lessons in the order in which they are taught. A new lesson is one folder and one line here.
+## The lessons in the order of their numbers; that of the lecture is in [LessonAgenda]. A new lesson
+## is one folder and one line here.
 
 ## Folders below `scenes/lessons/`; the two digits in front are the place in this list.
 const FOLDERS: PackedStringArray = [

@@ -6,8 +6,8 @@ extends RefCounted
 ## More steps than any lesson has: stands for its last one.
 const LAST_STEP := 1000
 
-# Of each lesson that was left, by its id: its state and its step. Without a state it is at its
-# start.
+# Of each lesson that was left, by its id: its state, its step and what was asked before steps.
+# Without a state it is at its start.
 static var _boards: Dictionary[StringName, Dictionary] = {}
 # Whether answers were shown in the lesson that was left last: a class sees none in the next one.
 static var _shows_answers := true
@@ -21,7 +21,11 @@ static func keep(id: StringName, view: FrameView) -> void:
 	_shows_answers = view.shows_answers
 	_boards.erase(id)
 	if not view.lesson.is_opening():
-		_boards[id] = {"state": view.lesson.state(), "step": view.lesson.step}
+		_boards[id] = {
+			"state": view.lesson.state(),
+			"step": view.lesson.step,
+			"asked_before": view.lesson.asked_before,
+		}
 
 
 ## Shows in [param view] the board that was kept of its lesson [param id], which has just been
@@ -35,6 +39,9 @@ static func bring_back(id: StringName, view: FrameView) -> void:
 	if board.has("step"):
 		var step: int = board["step"]
 		view.lesson.show_step(step)
+	if board.has("asked_before"):
+		var asked_before: PackedInt32Array = board["asked_before"]
+		view.lesson.asked_before = asked_before
 
 
 ## From now on the lesson [param id] is brought back at this step, counted from 0; its board stays

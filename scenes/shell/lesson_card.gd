@@ -10,7 +10,7 @@ var lesson: LessonInfo
 func show_lesson(its_lesson: LessonInfo) -> void:
 	lesson = its_lesson
 	_title.text = "%d  %s" % [LessonIndex.number_of(lesson), tr(lesson.title)]
-	_summary.text = lesson.summary
+	_summary.text = Conventions.in_unit(tr(lesson.summary))
 	# A new lesson has none yet: ./lab pictures draws it.
 	if ResourceLoader.exists(lesson.card_path()):
 		(_picture as TextureRect).texture = load(lesson.card_path()) as Texture2D
@@ -31,7 +31,7 @@ func show_done(begin_here: bool) -> void:
 	if begin_here:
 		told = ("→ %s   %s" % [tr("Start here"), told]).strip_edges()
 	_tell_done(told, Palette.Role.PROJECTION if begin_here else Palette.Role.RIGHT)
-	words.insert(0, tr(lesson.summary))
+	words.insert(0, _summary.text)
 	words.insert(0, _title.text)
 	accessibility_name = ". ".join(words)
 

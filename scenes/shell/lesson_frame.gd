@@ -29,6 +29,9 @@ const _NO_ACTIONS: Dictionary[StringName, String] = {}
 ## holds only one.
 var lesson_info: LessonInfo
 
+## All lessons in the order in which the ways between them lead; none in a demo.
+var lessons: Array[LessonInfo] = []
+
 ## The lesson inside.
 var lesson: Lesson
 
@@ -217,7 +220,7 @@ func _open() -> void:
 	if other_lesson_wanted.has_connections():
 		_announce(_ways)
 		_ways.wanted.connect(other_lesson_wanted.emit)
-		_ways.offer(lesson_info, lesson)
+		_ways.offer(lesson_info, lessons, lesson)
 	if errors.first:
 		_say_why_not_opened(errors.first)
 		return

@@ -1,8 +1,9 @@
 class_name LessonWays
 extends Node
-## The ways from the open lesson to the ones before and behind it: a button and a key for each, and
-## one step more than the lesson has, as a presenter's remote control sends it. Where the top bar
-## has no room for the buttons, the steps lead on alone. In a demo there are none.
+## The ways from the open lesson to the ones before and behind it in the order of the
+## [LessonAgenda]: a button and a key for each, and one step more than the lesson has, as a
+## presenter's remote control sends it. Where the top bar has no room for the buttons, the steps lead
+## on alone. In a demo there are none.
 
 ## Another lesson is to be opened.
 signal wanted(lesson: LessonInfo)
@@ -29,10 +30,9 @@ func _ready() -> void:
 	_next.pressed.connect(_go.bind(1))
 
 
-## Offers the ways from the lesson [param here]. The steps of [param lesson], null if it could not
-## be opened, lead there, too.
-func offer(here: LessonInfo, lesson: Lesson) -> void:
-	var lessons := LessonIndex.lessons()
+## Offers the ways from the lesson [param here] among [param lessons]. The steps of [param lesson],
+## null if it could not be opened, lead there, too.
+func offer(here: LessonInfo, lessons: Array[LessonInfo], lesson: Lesson) -> void:
 	var place := lessons.find(here)
 	if place < 0:
 		return

@@ -12,6 +12,7 @@ const _BESIDES := "vec2_lab/lesson/besides"
 static func open_lesson(tree: SceneTree, lesson: LessonInfo) -> void:
 	var frame := (load(_LESSON_FRAME) as PackedScene).instantiate() as LessonFrame
 	frame.lesson_info = lesson
+	frame.lessons = LessonAgenda.lessons()
 	frame.left.connect(open_start_screen.bind(tree, lesson))
 	frame.other_lesson_wanted.connect(func(other: LessonInfo) -> void: open_lesson(tree, other))
 	frame.ready.connect(DoneNotes.follow.bind(frame))

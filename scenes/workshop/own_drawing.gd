@@ -12,7 +12,6 @@ const _DASHES := 16
 # Half of the cross in the middle of a ball.
 const _CROSS := 6.0
 const _FONT_SIZE := 18
-const _FONT_SIZE_ON_SMALL := 15
 # The height of a plate with words, and what is free at its ends.
 const _HIGH := 30.0
 const _MARGIN := 8.0
@@ -82,7 +81,7 @@ func write(
 	draw_rect(plate, Color(Palette.drawn(Palette.PAPER), 0.9 * color.a))
 	draw_rect(plate, color, false, Palette.stroke(1.0))
 	var end := plate.end.x - _MARGIN - _width_of(words) / 2.0
-	draw_text(words, Vector2(end, middle.y), color, _font_size())
+	draw_text(words, Vector2(end, middle.y), color, _FONT_SIZE)
 	_draw_sign(sign_text, plate.position + Vector2(_MARGIN + _BALL, _HIGH / 2.0), color.a)
 
 
@@ -148,9 +147,4 @@ func _aside(mark: OwnMark) -> Vector2:
 
 
 func _width_of(words: String) -> float:
-	var font := ThemeDB.fallback_font
-	return font.get_string_size(words, HORIZONTAL_ALIGNMENT_LEFT, -1, _font_size()).x
-
-
-func _font_size() -> int:
-	return _FONT_SIZE_ON_SMALL if board.is_small() else _FONT_SIZE
+	return text_extent(words, _FONT_SIZE).x

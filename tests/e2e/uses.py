@@ -31,8 +31,6 @@ USES = {
     "normals": Use((631, 466), r"v = \(3, 1\)", r"v = \(2, 1\)", (559, 466)),
     # The tip of a, from (7, 1) to (3, 1).
     "dot_product": Use((676, 418), r"a = \(7, 1\)", r"a = \(3, 1\)", (527, 418)),
-    # The tip of a.
-    "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The ball, further away.
     "line_distance": Use((594, 329), r"c = \(120, -35\)", r"c = \(160, -35\)", (654, 329)),
     # Where the ball is after the frame: further away, so that it touches sooner in it.
@@ -45,6 +43,8 @@ USES = {
     "line_ends": Use((1164, 465), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
     # The first component of a, from 4 to 2.
     "more_dimensions": Use((459, 157), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (459, 198)),
+    # The tip of a.
+    "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
 }

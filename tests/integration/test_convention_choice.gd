@@ -157,6 +157,46 @@ func test_a_tilt_is_typed_in_radians() -> void:
 	assert_reads("The tilt must be within −π/4 and π/4, not 2 rad.")
 
 
+func test_the_cards_of_the_start_screen_tell_angles_in_the_unit_that_is_chosen() -> void:
+	await open_start_screen()
+	assert_reads("Turn a vector by 90°")
+	screen().free()
+	Conventions.choose(Conventions.Choice.RADIANS, true)
+	await open_start_screen()
+	assert_reads("Turn a vector by π/2")
+	assert_false("\n".join(Screen.texts(screen())).contains("°"))
+
+
+func test_the_names_of_stiff_cases_follow_the_unit_at_once() -> void:
+	await open_lesson(LessonIndex.find(&"error_and_time"))
+	var table := frame().lesson.get_node("%Table") as StabilityTable
+	var run := StabilityRun.new(StabilityCases.all())
+	table.show_run(run)
+	var of_wedge := _row_with(table, "wedge of 60°")
+	var of_slope := _row_with(table, "slope of 20°")
+	Conventions.choose(Conventions.Choice.RADIANS, true)
+	table.show_run(run)
+	assert_string_contains(_title_of(table, of_wedge), "wedge of π/3")
+	assert_string_contains(_title_of(table, of_slope), "slope of π/9")
+	for place in run.size() + run.left_out.size():
+		assert_false(_title_of(table, place).contains("°"), _title_of(table, place))
+	Conventions.choose(Conventions.Choice.RADIANS, false)
+	table.show_run(run)
+	assert_string_contains(_title_of(table, of_wedge), "wedge of 60°")
+
+
+func _row_with(table: StabilityTable, words: String) -> int:
+	for place in table.get_node("%Rows").get_child_count():
+		if _title_of(table, place).contains(words):
+			return place
+	assert_true(false, words)
+	return 0
+
+
+func _title_of(table: StabilityTable, place: int) -> String:
+	return (table.row(place).get_node("%Title") as Label).text
+
+
 func assert_reads_no_undo() -> void:
 	assert_true(Screen.button(screen(), "Undo").disabled, "a convention is no change of the board")
 

@@ -10,12 +10,23 @@ func after_each() -> void:
 
 func test_two_buttons_beside_the_title_lead_to_the_lessons_before_and_behind() -> void:
 	await _open_in_lab("dot_product")
-	await click_button("On to lesson 5  Proof of the projection")
-	_assert_is_open("projection_proof")
+	await click_button("On to lesson 6  Ball and line: distance")
+	_assert_is_open("line_distance")
 	await click_button("Back to lesson 4  The dot product")
 	_assert_is_open("dot_product")
 	await click_button("Back to lesson 3  Normals")
 	_assert_is_open("normals")
+
+
+func test_the_ways_go_through_all_lessons_in_the_order_of_the_start_screen() -> void:
+	var wanted := LessonAgenda.lessons()
+	for action: StringName in [&"lab_next_lesson", &"lab_previous_lesson"]:
+		await _open_in_lab(wanted[0].id)
+		for lesson: LessonInfo in wanted.slice(1):
+			await student.press(action)
+			_assert_is_open(lesson.id)
+		screen().free()
+		wanted.reverse()
 
 
 func test_the_buttons_can_be_hit_by_a_finger() -> void:
@@ -29,11 +40,11 @@ func test_the_buttons_can_be_hit_by_a_finger() -> void:
 func test_the_keys_do_the_same() -> void:
 	await _open_in_lab("dot_product")
 	await student.press(&"lab_next_lesson")
-	_assert_is_open("projection_proof")
+	_assert_is_open("line_distance")
 	await student.press(&"lab_previous_lesson")
 	_assert_is_open("dot_product")
 	await student.press_key(KEY_PAGEDOWN, false, true)
-	_assert_is_open("projection_proof")
+	_assert_is_open("line_distance")
 	await student.press_key(KEY_PAGEUP, false, true)
 	_assert_is_open("dot_product")
 
@@ -85,6 +96,22 @@ func test_a_lesson_comes_back_with_board_and_step_and_reset_leads_to_its_start()
 	assert_eq(frame().lesson.state(), left, "through the start screen, too")
 	await student.press(&"lab_reset")
 	assert_eq(frame().lesson.state(), start)
+
+
+func test_what_was_asked_before_a_lesson_was_left_is_not_asked_again() -> void:
+	await _open_in_lab("easy_bounce")
+	var question := "Where must the centre go, so that the ball just touches?"
+	for press: int in 2:
+		await student.press(&"lab_next_step")
+	assert_reads(question)
+	await student.press(&"lab_next_step")
+	await student.press(&"lab_next_lesson")
+	await student.press(&"lab_previous_lesson")
+	await student.press(&"lab_previous_step")
+	await student.press(&"lab_next_step")
+	assert_does_not_read(question)
+	await student.press(&"lab_next_step")
+	assert_reads("Which component of v changes its sign?")
 
 
 func test_every_lesson_comes_back_as_it_was_left() -> void:
@@ -146,7 +173,7 @@ func test_one_step_more_than_the_last_leads_to_the_first_of_the_next_lesson() ->
 	await student.press(&"lab_previous_lesson")
 	await go_to_step()
 	await student.press_key(KEY_PAGEDOWN)
-	_assert_is_open("projection_proof")
+	_assert_is_open("line_distance")
 	assert_eq(frame().lesson.step, 0)
 	await student.press_key(KEY_PAGEUP)
 	_assert_is_open("dot_product")
@@ -167,9 +194,9 @@ func test_the_buttons_of_the_steps_say_where_they_lead() -> void:
 	assert_null(Screen.button(screen(), "Step forward"))
 	var steps := frame().lesson.services[&"steps"] as Steps
 	var forward := steps.get_node("%Forward") as Button
-	assert_eq(forward.tooltip_text, "On to lesson 5  Proof of the projection")
+	assert_eq(forward.tooltip_text, "On to lesson 6  Ball and line: distance")
 	await student.click(forward)
-	_assert_is_open("projection_proof")
+	_assert_is_open("line_distance")
 
 
 func test_a_key_that_is_held_down_stops_at_the_last_step() -> void:

@@ -113,7 +113,8 @@ func _read_board(part: Node) -> void:
 		return
 	if part is VerdictCard:
 		verdict_sign = (part.get_node("%Sign") as Label).text
-		verdict = (part.get_node("%Words") as Label).text.split("\n")
+		var words := (part.get_node("%Words") as Label).text
+		verdict = words.replace(Steps.NO_BREAK_SPACE, " ").split("\n")
 		return
 	if part is StabilityMark:
 		labels.append((part as StabilityMark).accessibility_name)

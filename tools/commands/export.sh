@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Exports the whole lab and the lessons as demos of their own into build/export/.
-# Usage: tools/commands/export.sh linux|web|all [NAME...]   (NAME: `lab` or a lesson's id)
+# Usage: tools/commands/export.sh linux|web|all [--address=https://...] [NAME...]   (NAME: `lab` or a lesson's id)
+# With the address at which the site will be, its pages have a picture in the previews of chats: those take no other.
 #        tools/commands/export.sh presets                   (only brings export_presets.cfg up to date)
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
-usage="usage: ./lab export linux|web|all [lab|LESSON ...]"
+usage="usage: ./lab export linux|web|all [--address=https://...] [lab|LESSON ...]"
 logs=$LAB_BUILD/export/logs
 
 platforms_of() {
@@ -87,6 +88,12 @@ export_and_tell() {
 if [ "$1" != presets ]; then
 	platforms=$(platforms_of "$1")
 fi
+address=
+if [[ ${2:-} == --address=* ]]; then
+	address=${2#--address=}
+	[[ $address =~ ^https?://[^[:space:]]+$ ]] || die 2 "the address must begin with http:// or https://, not '$address'"
+	set -- "$1" "${@:3}"
+fi
 prepare_project
 make_build_folder
 write_presets
@@ -104,4 +111,4 @@ for platform in $platforms; do
 	get_template "$platform"
 	for name in $names; do export_and_tell "$platform" "$name"; done
 done
-[[ $platforms != *web* ]] || "$LAB_ROOT/tools/web/finish.sh" "$LAB_BUILD/export/web"
+[[ $platforms != *web* ]] || "$LAB_ROOT/tools/web/finish.sh" "$LAB_BUILD/export/web" ${address:+"$address"}

@@ -7,10 +7,10 @@ extends SceneTree
 
 const CardPicture := preload("card_picture.gd")
 
-## Half a second: what moves into place has arrived.
+## Half a second: what is laid out has its place.
 const FRAMES := 30
-## What a step turns or moves over a second has arrived after its key.
-const FRAMES_AFTER_KEYS := 90
+## What a link or a key has a step turn or move over a second has arrived.
+const FRAMES_TO_ARRIVE := 90
 const FEWEST_COLORS := 16
 const ARGUMENT := "--picture="
 ## Draws what a lesson's card shows; see card_picture.gd.
@@ -34,7 +34,7 @@ func _init() -> void:
 	if CARD in OS.get_cmdline_user_args():
 		CardPicture.hide_text()
 	change_scene_to_file(main_scene)
-	for frame: int in FRAMES:
+	for frame: int in FRAMES_TO_ARRIVE:
 		await process_frame
 	await _press_all()
 	if CARD in OS.get_cmdline_user_args():
@@ -68,7 +68,7 @@ func _press_all() -> void:
 			for part: String in argument.trim_prefix(PRESS).split(","):
 				for time: int in maxi(part.get_slice("*", 1).to_int(), 1):
 					await _press(part.get_slice("*", 0))
-			for frame: int in FRAMES_AFTER_KEYS:
+			for frame: int in FRAMES_TO_ARRIVE:
 				await process_frame
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Makes a web site of the exported demos: the engine once for all of them, compressed copies beside it, an index, links.
-# Can be run again when single demos were exported anew. Usage: tools/web/finish.sh FOLDER
+# Can be run again when single demos were exported anew. Usage: tools/web/finish.sh FOLDER [ADDRESS]
+# ADDRESS is where the site will be: without it, previews of a page in chats have no picture.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../shared/common.sh
 . "$(dirname "$0")/../shared/common.sh"
 
-[ $# -eq 1 ] && [ -d "$1" ] || die 2 "usage: tools/web/finish.sh FOLDER, the folder with the exported demos"
+[ $# -ge 1 ] && [ -d "$1" ] || die 2 "usage: tools/web/finish.sh FOLDER [ADDRESS], the folder with the exported demos"
 site=$(cd "$1" && pwd)
 engine=$site/engine
 engine_files=(js wasm audio.worklet.js audio.position.worklet.js)
@@ -50,7 +51,7 @@ for page in "$site"/*/index.html; do
 done
 compress
 prepare_project
-run_script web/write_pages.gd "$site" >"$LAB_BUILD/write_pages.log" || {
+run_script web/write_pages.gd "$site" "${@:2}" >"$LAB_BUILD/write_pages.log" || {
 	cat "$LAB_BUILD/write_pages.log" >&2
 	die 1 "the pages of $site could not be written"
 }

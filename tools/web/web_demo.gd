@@ -11,7 +11,7 @@ const _LAB_NAME := "Vec2 Lab"
 ## Its folder on the site, and the lesson's id.
 var id: String
 
-## A lesson's place in the order, from 1; 0 for the whole lab.
+## A lesson's number; 0 for the whole lab.
 var number: int
 
 ## Its name.
@@ -21,9 +21,9 @@ var title: String
 var summary: String
 
 
-## The whole lab, then all lessons in their order.
+## The whole lab, then all lessons in the order of the start screen.
 static func all() -> Array[WebDemo]:
-	var lessons := LessonIndex.lessons()
+	var lessons := LessonAgenda.lessons()
 	var lab := WebDemo.new()
 	lab.id = LAB
 	lab.title = _LAB_NAME

@@ -16,8 +16,9 @@ const _DESCRIPTION := (
 	'<meta name="description" content="{summary}"><meta property="og:type" content="website">'
 	+ '<meta property="og:title" content="{page_title}">'
 	+ '<meta property="og:description" content="{summary}">'
-	+ '<meta property="og:image" content="../cards/{picture}.png">'
 )
+# Whoever shows a preview of a page takes whole addresses only.
+const _PREVIEW := '<meta property="og:image" content="%s/cards/%s.png">'
 # The whole lab has no picture of its own.
 const _PICTURE_OF_LAB := "dot_product"
 const _HOME := '<a href="../index.html">← All<span class="long">&nbsp;demos</span></a>'
@@ -31,8 +32,11 @@ const _PICTURE := '<img src="../cards/{id}.png" width="480" height="364" alt="">
 
 
 ## The index made from its form [param page]: a card for each of [param demos], the lab's apart.
-## [param engine_bytes] is what the first demo loads beside itself.
-static func index(page: String, demos: Array[WebDemo], engine_bytes: int) -> String:
+## [param engine_bytes] is what the first demo loads beside itself; [param address] is that of the
+## site, "" where it is not known: then previews of the page have no picture.
+static func index(
+	page: String, demos: Array[WebDemo], engine_bytes: int, address: String
+) -> String:
 	var lab := ""
 	var cards := ""
 	for demo in demos:
@@ -41,6 +45,7 @@ static func index(page: String, demos: Array[WebDemo], engine_bytes: int) -> Str
 		else:
 			cards += _formatted(between(page, "card"), demo)
 	var filled := fill(fill(page, "lab", lab), "card", cards)
+	filled = fill(filled, "preview", _preview(address, _PICTURE_OF_LAB))
 	return fill(filled, "engine", "%.0f" % ceilf(engine_bytes / 1e6))
 
 
@@ -61,12 +66,13 @@ static func notes(page: String, plan: TeachingPlan) -> String:
 ## The page of [param demo] as it was exported, or filled in before: with its title, its picture,
 ## the way to the index and to the demo [param next] (null after the last), and the shared engine.
 ## The lab has the ways between its lessons inside. [param sizes] tells the bytes of the engine's
-## `wasm` and of the demo's `pck`.
+## `wasm` and of the demo's `pck`; [param address] is as for [method index].
 static func demo_page(
-	page: String, demo: WebDemo, next: WebDemo, sizes: Dictionary[String, int]
+	page: String, demo: WebDemo, next: WebDemo, sizes: Dictionary[String, int], address: String
 ) -> String:
 	var filled := fill(page, "title", _formatted("<title>{page_title}</title>", demo))
-	filled = fill(filled, "description", _formatted(_DESCRIPTION, demo))
+	var preview := _preview(address, demo.id if demo.number else _PICTURE_OF_LAB)
+	filled = fill(filled, "description", _formatted(_DESCRIPTION, demo) + preview)
 	filled = fill(filled, "icon", _ICON)
 	filled = fill(filled, "heading", _formatted("<h1>{heading}</h1>", demo))
 	filled = fill(filled, "home", _HOME)
@@ -90,6 +96,10 @@ static func fill(page: String, name: String, text: String) -> String:
 	return page.replace(_marked(name, between(page, name)), _marked(name, text))
 
 
+static func _preview(address: String, picture: String) -> String:
+	return _PREVIEW % [address.trim_suffix("/").xml_escape(true), picture] if address else ""
+
+
 static func _marked(name: String, text: String) -> String:
 	return "<!-- %s -->%s<!-- /%s -->" % [name, text, name]
 
@@ -103,7 +113,6 @@ static func _formatted(form: String, demo: WebDemo) -> String:
 				"title": demo.title.xml_escape(true),
 				"heading": demo.heading().xml_escape(true).replace("  ", "&ensp;"),
 				"page_title": demo.page_title().xml_escape(true),
-				"picture": demo.id if demo.number else _PICTURE_OF_LAB,
 				"summary": demo.summary.xml_escape(true),
 			}
 		)

@@ -1,7 +1,7 @@
 extends SceneTree
 ## Writes the index of the exported web demos, the speaker's notes and the rubric, and fills in each
 ## demo's page: see web_pages.gd.
-## Usage: godot --headless --path . -s tools/web/write_pages.gd -- FOLDER
+## Usage: godot --headless --path . -s tools/web/write_pages.gd -- FOLDER [ADDRESS]
 
 const RubricText := preload("rubric_text.gd")
 const TeachingPlan := preload("teaching_plan.gd")
@@ -18,18 +18,22 @@ const _SOURCE := "sources/%s.txt"
 const _MANIFEST := "res://tools/web/manifest.webmanifest"
 
 var _site: String
+# Where the site will be; "" where that is not known.
+var _address := ""
 var _failed := 0
 
 
 func _init() -> void:
 	TranslationServer.set_locale(LabText.ENGLISH)
 	_site = OS.get_cmdline_user_args()[0]
+	if OS.get_cmdline_user_args().size() > 1:
+		_address = OS.get_cmdline_user_args()[1]
 	var demos: Array[WebDemo] = WebDemo.all().filter(_is_there)
 	for place in demos.size():
 		_fill_in(demos[place], demos[place + 1] if place + 1 < demos.size() else null)
 	_copy_pictures()
 	var page := FileAccess.get_file_as_string(_FORM)
-	_write("index.html", WebPages.index(page, demos, _engine_bytes()))
+	_write("index.html", WebPages.index(page, demos, _engine_bytes(), _address))
 	# The notes lead the lab, and so does the rubric.
 	if demos[0].id == WebDemo.LAB:
 		var notes := FileAccess.get_file_as_string(_NOTES_FORM)
@@ -51,7 +55,7 @@ func _fill_in(demo: WebDemo, next: WebDemo) -> void:
 		"pck": FileAccess.get_size(_site.path_join("%s/%s.pck" % [demo.id, demo.id])),
 	}
 	var text := FileAccess.get_file_as_string(_site.path_join(page))
-	_write(page, WebPages.demo_page(text, demo, next, sizes))
+	_write(page, WebPages.demo_page(text, demo, next, sizes, _address))
 
 
 # What travels is the compressed copy.

@@ -110,6 +110,5 @@ func _widest(texts: PackedStringArray) -> float:
 	return widest
 
 
-static func _text_width(text: String) -> float:
-	var font := ThemeDB.fallback_font
-	return font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE).x
+func _text_width(text: String) -> float:
+	return text_extent(text, _FONT_SIZE).x

@@ -51,6 +51,5 @@ func _draw() -> void:
 	if pixels.size() > 1:
 		draw_polyline(pixels, Color(color, 0.6), 2.0, true)
 	if label and not pixels.is_empty():
-		var inside := Rect2(Vector2.ZERO, board.size).grow(-30.0)
 		var beside := pixels[-1] + Vector2(0.0, -18.0)
-		draw_text(tr(label), beside.clamp(inside.position, inside.end), color, 22)
+		draw_text(tr(label), kept_on_board(beside, Vector2.ZERO, Vector2(30.0, 30.0)), color, 22)

@@ -109,6 +109,13 @@ static func _not_one(length: float) -> String:
 
 
 static func _first_sentences() -> PackedStringArray:
+	# A finger has no right button.
+	if DisplayServer.is_touchscreen_available():
+		return [
+			LabText.translate(
+				"A vector is a difference: head minus tail. Drag a and b, or tap where a is to end."
+			)
+		]
 	return [
 		(
 			LabText

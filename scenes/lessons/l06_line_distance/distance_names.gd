@@ -80,5 +80,5 @@ func _side(line: LineSegment) -> float:
 
 
 func _write(text: String, middle: Vector2, role: Palette.Role) -> void:
-	var room := Rect2(Vector2.ZERO, board.size).grow(-26.0)
-	draw_text(text, middle.clamp(room.position, room.end), Palette.color(role), _FONT_SIZE)
+	var at := kept_on_board(middle, Vector2.ZERO, Vector2(26.0, 26.0))
+	draw_text(text, at, Palette.color(role), _FONT_SIZE)

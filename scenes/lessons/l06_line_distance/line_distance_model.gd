@@ -74,9 +74,10 @@ func distance_from_start() -> float:
 	return LineDistance.signed_distance(ball.position, line)
 
 
-## The flight of the last step. Distances that only rounding keeps from 0 or the radius are that.
+## The flight of the last step, from the distance that the steps before it have found. Distances
+## that only rounding keeps from 0 or the radius are that.
 func detection() -> DiscreteDetection:
-	var start := distance_from_start()
+	var start := distance()
 	for exact: float in [0.0, ball.radius]:
 		start = exact if absf(start - exact) <= _rounding() else start
 	return DiscreteDetection.new(start, ball.radius, speed, rule)

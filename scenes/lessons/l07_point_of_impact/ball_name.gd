@@ -46,16 +46,14 @@ func lay(to: Vec2, its_radius: float, towards: Vec2) -> void:
 
 
 func _draw() -> void:
-	var room := Rect2(Vector2.ZERO, board.size).grow(-26.0)
-	var middle := _middle_of_text().clamp(room.position, room.end)
+	var middle := kept_on_board(_middle_of_text(), Vector2.ZERO, Vector2(26.0, 26.0))
 	draw_text(tr(label), middle, Palette.color(role), _FONT_SIZE)
 
 
 # So far beyond the rim that the text does not touch it.
 func _middle_of_text() -> Vector2:
 	var away := board.direction_to_screen(_direction.normalized())
-	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(tr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
-	var half := absf(away.x) * extent.x / 2.0 + absf(away.y) * _FONT_SIZE / 2.0
+	var extent := text_extent(tr(label), _FONT_SIZE)
+	var half := absf(away.x) * extent.x / 2.0 + absf(away.y) * drawn_size(_FONT_SIZE) / 2.0
 	var rim := maxf(radius * board.pixels_per_unit, 4.0)
 	return board.to_screen(_center) + away * (rim + half + 8.0)

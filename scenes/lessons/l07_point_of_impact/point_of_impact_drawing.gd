@@ -62,6 +62,8 @@ func show_model(model: PointOfImpactModel, step: int) -> void:
 func _lay_line(model: PointOfImpactModel, step: int) -> void:
 	_endless.lay(model.line.start, model.line.along())
 	_line.lay(model.line.start, model.line.end)
+	# On a small board the distances need its place.
+	_line.show_label(step < PointOfImpactTexts.Step.DISTANCES or not _endless.board.is_small())
 	var normal := model.line.normal()
 	var touching := model.line.start.plus(normal.scaled(model.radius))
 	_contact_line.lay(touching, model.line.along())

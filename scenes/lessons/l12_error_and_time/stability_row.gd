@@ -10,7 +10,7 @@ extends HBoxContainer
 
 ## Shows a case that is left out here: in grey.
 func show_left_out(case: StabilityCase) -> void:
-	_title.text = case.title
+	_title.text = Conventions.in_unit(case.title)
 	_criterion.text = case.criterion
 	_figure.text = tr("takes too long here")
 	_mark.outcome = StabilityMark.Outcome.LEFT_OUT
@@ -20,7 +20,7 @@ func show_left_out(case: StabilityCase) -> void:
 
 ## Shows a case, as it is tried here, with its result; null before it is tried.
 func show_case(case: StabilityCase, result: StabilityResult) -> void:
-	_title.text = case.title_in_brief()
+	_title.text = Conventions.in_unit(case.title_in_brief())
 	_criterion.text = case.criterion
 	_figure.text = result.figure if result else ""
 	if not result:

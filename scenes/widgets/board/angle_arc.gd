@@ -82,14 +82,10 @@ func _value_share(sweep: float) -> float:
 # Beside the arc, so far outside that a long text does not cross it, but still on the board.
 func _draw_value(degrees: float, middle: Vector2, outwards: Vector2, ink: Color) -> void:
 	var text := label + Conventions.mark_text(degrees if is_signed else absf(degrees), 3)
-	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE)
+	var extent := text_extent(text, _FONT_SIZE)
 	var half := absf(outwards.x) * extent.x / 2.0 + absf(outwards.y) * extent.y / 2.0
 	var at := middle + outwards * (radius + maxf(26.0, half + 8.0))
-	var room := board.free_area().grow_individual(
-		-extent.x / 2.0, -extent.y / 2.0, -extent.x / 2.0, -extent.y / 2.0
-	)
-	draw_text(text, at.clamp(room.position, room.end), ink, _FONT_SIZE)
+	draw_text(text, kept_on_board(at, extent, Vector2(4.0, 0.0)), ink, _FONT_SIZE)
 
 
 func _draw_square(middle: Vector2, start: float, sweep: float, ink: Color) -> void:

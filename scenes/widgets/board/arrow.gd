@@ -9,6 +9,8 @@ enum LabelPlace { HEAD, MIDDLE }
 ## A head shorter than this, in pixels, is not drawn: the arrow is then a dot.
 const SHORTEST := 2.0
 
+const _FONT_SIZE := 24
+
 ## Where it begins, in units of the plane. 32 bits; [method lay] keeps all digits.
 @export var tail := Vector2.ZERO:
 	get:
@@ -90,7 +92,7 @@ func _draw() -> void:
 	else:
 		_draw_shaft(from, to, color)
 	if label:
-		draw_text(atr(label), _label_middle(from, to), color, 24)
+		draw_text(atr(label), _label_middle(from, to), color, _FONT_SIZE)
 
 
 func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
@@ -111,8 +113,7 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
-	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(atr(label), HORIZONTAL_ALIGNMENT_LEFT, -1, 24)
+	var extent := text_extent(atr(label), _FONT_SIZE)
 	var reach := 15.0 + extent.x / 2.0
 	var middle := to + direction * (reach + 6.0)
 	if not has_tip:
@@ -125,5 +126,4 @@ func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 		if side.dot(board.to_screen(_crowded) - from) > 0.0:
 			side = -side
 		middle = from.lerp(to, label_share) + side * (reach + 2.0)
-	var margin := Vector2(extent.x / 2.0 + 8.0, 22.0)
-	return middle.clamp(margin, board.size - margin)
+	return kept_on_board(middle, Vector2(extent.x, 0.0), Vector2(8.0, 22.0))

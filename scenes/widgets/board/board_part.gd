@@ -3,6 +3,13 @@ class_name BoardPart
 extends Node2D
 ## What is drawn on a [Board]: finds the board above it and is drawn again when the view changes.
 
+## No text on a board is drawn with smaller letters than this, in pixels.
+const SMALLEST_TEXT := 14
+
+const _SHARE_ON_SMALL := 0.7
+const _RIM := 8
+const _RIM_ON_SMALL := 5
+
 ## The board that this part lies on: the nearest one above it in the tree.
 var board: Board
 
@@ -31,15 +38,38 @@ func show_change() -> void:
 	_span()
 
 
+## How large a text of [param font_size] is drawn: on a small board with smaller letters, as what it
+## names is smaller there, too.
+func drawn_size(font_size: int) -> int:
+	if not board.is_small():
+		return font_size
+	return maxi(roundi(font_size * _SHARE_ON_SMALL), mini(SMALLEST_TEXT, font_size))
+
+
+## The extent of a text as [method draw_text] draws it.
+func text_extent(text: String, font_size: int) -> Vector2:
+	var drawn := drawn_size(font_size)
+	return ThemeDB.fallback_font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, drawn)
+
+
+## The place nearest to [param middle] at which a text or mark of this [param extent] lies on the
+## part of the board that no card covers, [param margin] from its edges.
+func kept_on_board(middle: Vector2, extent: Vector2, margin: Vector2) -> Vector2:
+	var inside := extent / 2.0 + margin
+	var room := board.free_area().grow_individual(-inside.x, -inside.y, -inside.x, -inside.y)
+	return middle.clamp(room.position, room.end.max(room.position))
+
+
 ## A text with a rim of the board's color, so that it reads on top of lines; [param middle] is its
 ## center.
 func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
 	var font := ThemeDB.fallback_font
-	var extent := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
-	var start := middle + Vector2(-extent.x / 2.0, font_size * 0.36)
-	var rim := Palette.drawn(Palette.PAPER)
-	draw_string_outline(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, 8, rim)
-	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, color)
+	var drawn := drawn_size(font_size)
+	var start := middle + Vector2(-text_extent(text, font_size).x / 2.0, drawn * 0.36)
+	var rim := _RIM_ON_SMALL if board.is_small() else _RIM
+	var paper := Palette.drawn(Palette.PAPER)
+	draw_string_outline(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, drawn, rim, paper)
+	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, drawn, color)
 
 
 ## A line of short strokes from [param from] to [param to], in the board's pixels, as thick as lines

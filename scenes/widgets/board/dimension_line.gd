@@ -57,10 +57,8 @@ func spanned_points() -> Array[Vec2]:
 
 ## Pixels that the label takes up beside the line.
 func label_room() -> float:
-	var extent := ThemeDB.fallback_font.get_string_size(
-		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
-	)
-	return absf(_side.x) * extent.x + absf(_side.y) * _FONT_SIZE + 16.0
+	var extent := text_extent(label, _FONT_SIZE)
+	return absf(_side.x) * extent.x + absf(_side.y) * drawn_size(_FONT_SIZE) + 16.0
 
 
 ## Where the middle of its label is about to be, in the board's pixels.
@@ -96,14 +94,10 @@ func _draw_tip(tip: Vector2, other: Vector2, color: Color) -> void:
 
 
 func _draw_label(middle: Vector2, beside: Vector2, color: Color) -> void:
-	var extent := ThemeDB.fallback_font.get_string_size(
-		label, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE
-	)
+	var extent := Vector2(text_extent(label, _FONT_SIZE).x, 0.0)
 	var reach := label_room() / 2.0
-	var room := Rect2(Vector2.ZERO, board.size).grow_individual(
-		-extent.x / 2.0 - 6.0, -18.0, -extent.x / 2.0 - 6.0, -18.0
-	)
-	draw_text(label, (middle + beside * reach).clamp(room.position, room.end), color, _FONT_SIZE)
+	var at := kept_on_board(middle + beside * reach, extent, Vector2(6.0, 18.0))
+	draw_text(label, at, color, _FONT_SIZE)
 
 
 # The place of the label in what the board shows of the line between two points in its own pixels.

@@ -34,11 +34,13 @@ func _ready() -> void:
 
 
 ## Shows [param sign_text], one letter, on a ball in the color of [param role], and beside it
-## [param words], translated, a line each; angles in degrees are shown in the unit that is chosen.
+## [param words], translated, a line each, which wraps so that no short word is left alone; angles
+## in degrees are shown in the unit that is chosen.
 func show_verdict(sign_text: String, role: Palette.Role, words: PackedStringArray) -> void:
 	_sign.text = sign_text
 	_ball.self_modulate = Palette.color(role)
-	_words.text = Conventions.in_unit("\n".join(words))
+	var lines := Conventions.in_unit("\n".join(words)).split("\n")
+	_words.text = "\n".join(Array(lines).map(Steps.with_whole_ending))
 	_settle()
 
 

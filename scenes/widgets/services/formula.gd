@@ -194,14 +194,20 @@ func _add_statement(row: FormulaLine, statement: String) -> void:
 
 
 func _add_plain(row: Control, text: String) -> void:
+	# Between two pairs a line can break.
+	var words := text.find(") ") + 2
+	if words > 1 and text.find("(", words) > 0:
+		_add_plain(row, text.left(words))
+		_add_plain(row, text.substr(words))
+		return
 	if text.length() <= _LONG_TEXT:
 		if text:
 			row.add_child(_new_label(text))
 		return
 	# So that the line can break between its words.
-	var words := text.split(" ")
-	for i in words.size():
-		var word := words[i] + (" " if i < words.size() - 1 else "")
+	var parts := text.split(" ")
+	for i in parts.size():
+		var word := parts[i] + (" " if i < parts.size() - 1 else "")
 		if word:
 			row.add_child(_new_label(word))
 

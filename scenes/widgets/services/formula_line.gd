@@ -1,7 +1,8 @@
 class_name FormulaLine
 extends Container
 ## A line of a formula: its parts beside each other. Where it is longer than the panel is wide, it
-## breaks between two statements, and inside a statement only where that one alone is longer.
+## breaks between two statements, inside a statement only where that one alone is longer, and inside
+## parentheses only where they are longer.
 
 ## Every line is in this group: it keeps room while numbers run.
 const LINES := &"formula_lines"
@@ -104,7 +105,7 @@ func _breaks(widths: PackedFloat64Array) -> PackedInt32Array:
 	var breaks: PackedInt32Array = [0]
 	var x := 0.0
 	for i in widths.size():
-		var needed := maxf(widths[i], _group_width(i, widths))
+		var needed := maxf(_width_to_closing(i, widths), _group_width(i, widths))
 		if i > breaks[-1] and not _is_gap(get_child(i)) and x + needed > size.x + 0.5:
 			breaks.append(i)
 			x = 0.0
@@ -123,6 +124,21 @@ func _group_width(start: int, widths: PackedFloat64Array) -> float:
 	for i in range(start, end):
 		width += widths[i]
 	return width if width <= size.x else 0.0
+
+
+# The width of the part and of what follows until the parentheses that open in it are closed; its
+# own width where none open, or where that is too long for a row.
+func _width_to_closing(start: int, widths: PackedFloat64Array) -> float:
+	var width := 0.0
+	var open := 0
+	for i in range(start, widths.size()):
+		width += widths[i]
+		var label := get_child(i) as Label
+		if label:
+			open += label.text.count("(") - label.text.count(")")
+		if open <= 0:
+			return width if width <= size.x else widths[start]
+	return widths[start]
 
 
 # A gap may go beyond the end of a row: nobody sees it.

@@ -248,7 +248,8 @@ func _holds(numbers: Dictionary[String, Number], terms: PackedFloat64Array, digi
 			tolerance = maxf(terms[component] * NEARLY_ZERO, absf(result))
 		for expression: Expression in _computed[component]:
 			var value := _value(expression, _inputs(numbers, component, digits, false))
-			if absf(value - shown) > tolerance * 1.0001:
+			# Rounded to 0 / 0, the numbers give no result at all.
+			if is_finite(shown) and not absf(value - shown) <= tolerance * 1.0001:
 				return false
 	return true
 

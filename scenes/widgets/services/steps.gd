@@ -39,6 +39,16 @@ var count: int:
 	get:
 		return _sentences.size()
 
+## The steps, counted from 0, before which the student was asked: there it is asked no more.
+var asked_before: PackedInt32Array:
+	get:
+		return Array(_questions.keys()).filter(
+			func(before: int) -> bool: return _questions[before].was_asked
+		)
+	set(value):
+		for before in _questions:
+			_questions[before].was_asked = before in value
+
 var _sentences: PackedStringArray = []
 var _step := 0
 # What is asked, by the step that comes after it.
@@ -85,7 +95,12 @@ static func kept_together(sentence: String) -> String:
 	for sign_between in "·−=<≤>/+":
 		var kept_sign := NO_BREAK_SPACE + sign_between + NO_BREAK_SPACE
 		kept = kept.replace(" " + sign_between + " ", kept_sign)
-	return kept.left(-_ENDING) + kept.right(_ENDING).replace(" ", NO_BREAK_SPACE)
+	return with_whole_ending(kept)
+
+
+## [param text] with no short word left alone in its last line.
+static func with_whole_ending(text: String) -> String:
+	return text.left(-_ENDING) + text.right(_ENDING).replace(" ", NO_BREAK_SPACE)
 
 
 func _ready() -> void:
@@ -116,14 +131,6 @@ func is_asking() -> bool:
 func go_to(at: int) -> void:
 	_end_prediction()
 	_show_step(at)
-
-
-## The same, and what is asked before this step, or one before it, is asked no more.
-func open_at(at: int) -> void:
-	for before in _questions:
-		if before <= at:
-			_questions[before].was_asked = true
-	go_to(at)
 
 
 ## From now on one step more than there are leads somewhere: translated words for the buttons say

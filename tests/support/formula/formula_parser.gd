@@ -28,6 +28,8 @@ const _TOKEN := (
 	+ "|NaN|∞|Vec2\\.new|atan2|\\.x\\b|\\.y\\b|\\.copy\\(\\)|[\\p{L}_][\\p{L}\\p{M}_′₀-₉]*|\\S"
 )
 const _LEAST_DIGITS := 4
+# A shorter number is read right by the engine.
+const _MANY_LETTERS := 15
 
 static var _finder := RegEx.create_from_string(_TOKEN)
 
@@ -195,11 +197,17 @@ func _number(token: String) -> FormulaNode:
 	elif token == "NaN" or token == "∞":
 		node.number = NAN if token == "NaN" else INF
 	elif text.is_valid_float():
-		node.number = text.to_float()
+		node.number = _value_of(text)
 		_count_digits(node, text)
 	else:
 		problem = "not a number"
 	return node
+
+
+# The engine reads every fourth number with many digits with another last bit.
+static func _value_of(text: String) -> float:
+	var exact := DecimalText.value_of(text) if text.length() > _MANY_LETTERS else NAN
+	return text.to_float() if is_nan(exact) else exact
 
 
 # It is exact; where it is a result, the other sides may be off by what 4 digits would hide.

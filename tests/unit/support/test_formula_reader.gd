@@ -117,6 +117,12 @@ func test_a_symbol_that_is_not_shown_is_told_unless_it_is_listed() -> void:
 	assert_eq(_problems(["q = 2", "3 = 1 + 2 = q + 1 = 3"]), PackedStringArray())
 
 
+func test_numbers_with_many_digits_are_read_to_their_last_bit() -> void:
+	var sum := "0.0076360000000000317·(−0.20826928961290536)"
+	sum += " + (−0.0016259999999999053)·(−0.97807152243797368)"
+	assert_eq(_problems(["x · n = %s = −9.931e−17" % sum]), PackedStringArray())
+
+
 func test_a_symbol_can_stand_for_another() -> void:
 	var lines: PackedStringArray = ["v = ( 3 , 4 )", "n = (−y, x) = (−4, 3)"]
 	var meanings := {x = "v.x", y = "v.y"}

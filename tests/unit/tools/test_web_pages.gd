@@ -20,13 +20,14 @@ var _demos := WebDemo.all()
 
 func test_there_is_a_demo_for_the_lab_and_for_every_lesson_in_order() -> void:
 	var ids := _demos.map(func(demo: WebDemo) -> String: return demo.id)
-	assert_eq(ids, [WebDemo.LAB] + Array(LessonIndex.ids()))
+	var lessons := LessonAgenda.lessons()
+	assert_eq(ids, [WebDemo.LAB] + lessons.map(func(info: LessonInfo) -> String: return info.id))
 	assert_eq(_demos[0].heading(), "Vec2 Lab")
 	assert_eq(_demos[4].heading(), "4  The dot product")
 
 
 func test_the_index_has_a_card_for_each_demo_that_is_there() -> void:
-	var index := WebPages.index(_text(INDEX), [_demos[0], _demos[4], _demos[5]], 9390000)
+	var index := WebPages.index(_text(INDEX), [_demos[0], _demos[4], _demos[5]], 9390000, "")
 	assert_eq(
 		_hrefs(index),
 		[
@@ -34,17 +35,17 @@ func test_the_index_has_a_card_for_each_demo_that_is_there() -> void:
 			"notes.html",
 			"rubric.html",
 			"dot_product/index.html",
-			"projection_proof/index.html",
+			"line_distance/index.html",
 		]
 	)
 	assert_string_contains(index, "4&ensp;The dot product")
 	assert_string_contains(index, _demos[4].summary)
-	assert_string_contains(index, "cards/projection_proof.png")
+	assert_string_contains(index, "cards/line_distance.png")
 	assert_string_contains(index, "10<!-- /engine -->&nbsp;MB")
 
 
 func test_an_index_without_the_lab_does_not_offer_it() -> void:
-	var index := WebPages.index(_text(INDEX), [_demos[4]], 1)
+	var index := WebPages.index(_text(INDEX), [_demos[4]], 1, "")
 	assert_eq(_hrefs(index), ["dot_product/index.html"])
 
 
@@ -70,13 +71,12 @@ func test_the_notes_have_every_row_of_the_plan_and_its_versions() -> void:
 
 
 func test_a_page_gets_its_title_its_links_and_the_shared_engine() -> void:
-	var page := WebPages.demo_page(_exported(), _demos[4], _demos[5], SIZES)
+	var page := WebPages.demo_page(_exported(), _demos[4], _demos[5], SIZES, "")
 	assert_string_contains(page, "<title>4 The dot product - Vec2 Lab</title>")
 	assert_string_contains(page, 'name="description" content="%s"' % _demos[4].summary)
-	assert_string_contains(page, 'property="og:image" content="../cards/dot_product.png"')
 	assert_string_contains(page, "<h1>4&ensp;The dot product</h1>")
 	assert_string_contains(page, 'src="../cards/dot_product.png"')
-	assert_eq(_hrefs(page), ["../index.html", "../projection_proof/index.html"])
+	assert_eq(_hrefs(page), ["../index.html", "../line_distance/index.html"])
 	var config: Dictionary = JSON.parse_string(WebPages.between(page, "config"))
 	var wanted := {
 		"args": [],
@@ -88,9 +88,9 @@ func test_a_page_gets_its_title_its_links_and_the_shared_engine() -> void:
 
 
 func test_the_last_page_has_no_next_and_the_labs_has_no_picture() -> void:
-	var last := WebPages.demo_page(_exported(), _demos[12], null, SIZES)
+	var last := WebPages.demo_page(_exported(), _demos[12], null, SIZES, "")
 	assert_eq(_hrefs(last), ["../index.html"])
-	var lab := WebPages.demo_page(_exported(), _demos[0], _demos[1], SIZES)
+	var lab := WebPages.demo_page(_exported(), _demos[0], _demos[1], SIZES, "")
 	assert_eq(WebPages.between(lab, "picture"), "")
 	assert_eq(_hrefs(lab), ["../index.html"], "its lessons follow each other inside")
 	assert_string_contains(lab, "<title>Vec2 Lab</title>")
@@ -103,17 +103,31 @@ func test_the_manifest_names_what_is_there() -> void:
 
 
 func test_a_page_can_be_filled_in_anew() -> void:
-	var page := WebPages.demo_page(_exported(), _demos[4], _demos[5], SIZES)
-	assert_eq(WebPages.demo_page(page, _demos[4], _demos[5], SIZES), page)
-	var other := WebPages.demo_page(page, _demos[4], _demos[6], SIZES)
-	assert_eq(_hrefs(other), ["../index.html", "../line_distance/index.html"])
+	var page := WebPages.demo_page(_exported(), _demos[4], _demos[5], SIZES, "")
+	assert_eq(WebPages.demo_page(page, _demos[4], _demos[5], SIZES, ""), page)
+	var other := WebPages.demo_page(page, _demos[4], _demos[6], SIZES, "")
+	assert_eq(_hrefs(other), ["../index.html", "../point_of_impact/index.html"])
+
+
+func test_only_where_the_address_is_known_a_preview_has_a_picture() -> void:
+	var picture := '<meta property="og:image" content="https://example.org/vec2_lab/cards/%s.png">'
+	for address: String in ["https://example.org/vec2_lab", "https://example.org/vec2_lab/"]:
+		var index := WebPages.index(_text(INDEX), _demos, 1, address)
+		assert_string_contains(index, picture % "dot_product")
+		for place: int in [0, 4, 5]:
+			var demo := _demos[place]
+			var page := WebPages.demo_page(_exported(), demo, null, SIZES, address)
+			assert_string_contains(page, picture % (demo.id if place else "dot_product"))
+			var again := WebPages.demo_page(page, demo, null, SIZES, "")
+			assert_false(again.contains("og:image"))
+	assert_false(WebPages.index(_text(INDEX), _demos, 1, "").contains("og:image"))
 
 
 func test_words_cannot_break_a_page() -> void:
 	var demo := WebDemo.new()
 	demo.id = "dot_product"
 	demo.title = 'a < b & "c"'
-	var page := WebPages.demo_page(_exported(), demo, null, SIZES)
+	var page := WebPages.demo_page(_exported(), demo, null, SIZES, "")
 	assert_string_contains(page, "<h1>a &lt; b &amp; &quot;c&quot;</h1>")
 
 

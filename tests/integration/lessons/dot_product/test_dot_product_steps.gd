@@ -204,6 +204,16 @@ func test_a_step_is_kept_when_a_vector_is_dragged() -> void:
 	assert_eq(_visible_arrows(), _ARROWS[3])
 
 
+func test_whoever_has_only_a_finger_is_told_to_tap() -> void:
+	Input.emulate_touch_from_mouse = true
+	await open_lesson(LessonIndex.find(&"dot_product"))
+	Input.emulate_touch_from_mouse = false
+	assert_reads("or tap where a is to end.")
+	assert_does_not_read("right for b")
+	await student.touch(place(3.0, 4.0))
+	assert_a([0.0, 0.0, 3.0, 4.0])
+
+
 func _visible_arrows() -> Array:
 	var found := []
 	for node: Node in frame().lesson.get_node("%Drawing").get_children():

@@ -318,3 +318,14 @@ func _share() -> float:
 func _typed_distance() -> String:
 	var line := LineSegment.new(Vec2.new(_line()[0], _line()[1]), Vec2.new(_line()[2], _line()[3]))
 	return str(snappedf(LineDistance.signed_distance(Vec2.new(_ball()[0], _ball()[1]), line), 0.01))
+
+
+func test_in_a_narrow_panel_the_formula_breaks_between_pairs_and_not_inside() -> void:
+	await resize(Vector2i(390, 844))
+	var rows: Dictionary[String, float] = {}
+	for title: String in ["line's start", "line's end", "ball's centre"]:
+		var x := Screen.named(screen(), "x of the " + title)
+		var y := Screen.named(screen(), "y of the " + title)
+		assert_eq(x.global_position.y, y.global_position.y, title)
+		rows[title] = x.global_position.y
+	assert_gt(rows["line's end"], rows["line's start"], "both pairs have no room in one row")

@@ -234,3 +234,13 @@ func test_what_rounding_leaves_of_a_distance_or_a_gap_is_0() -> void:
 		assert_true(model.is_touching(), "touching")
 		assert_false(model.is_overlapping())
 		assert_eq(LineDistanceTexts.right_choice(model), -1)
+
+
+func test_the_flight_begins_at_the_distance_that_the_steps_have_found() -> void:
+	model.line = LineSegment.new(Vec2.new(200.0, 150.0), Vec2.new(-200.0, -150.0))
+	model.ball.position = Vec2.new(199.99999999992, 149.999999999815)
+	model.ball.radius = 30.0
+	model.from_share = 1.0
+	model.speed = 1e-12
+	assert_eq(model.detection().distance_at(12), model.distance() - 12.0 * model.speed)
+	assert_ne(model.distance(), model.distance_from_start(), "which differ by rounding here")

@@ -48,3 +48,19 @@ func test_a_label_beside_can_be_nearer_to_the_head() -> void:
 	assert_almost_eq(_arrow._label_middle(_FROM, to).x, 400.0, 1e-3)
 	_arrow.label_share = 0.75
 	assert_almost_eq(_arrow._label_middle(_FROM, to).x, 350.0, 1e-3)
+
+
+func test_on_a_small_board_texts_are_smaller_and_can_still_be_read() -> void:
+	assert_eq(_arrow.drawn_size(24), 24)
+	_arrow.board.size = Vector2(390.0, 350.0)
+	assert_eq(_arrow.drawn_size(24), 17)
+	for font_size: int in [15, 18, 20]:
+		assert_eq(_arrow.drawn_size(font_size), BoardPart.SMALLEST_TEXT)
+	assert_lt(_arrow.text_extent("line", 24).y, 30.0)
+
+
+func test_no_label_lies_where_a_card_covers_the_board() -> void:
+	_arrow.board.keep_free(100.0, 80.0)
+	for y: float in [-50.0, 20.0, 590.0, 2000.0]:
+		var middle := _arrow._label_middle(_FROM, Vector2(_FROM.x, y))
+		assert_between(middle.y, 122.0, 498.0)

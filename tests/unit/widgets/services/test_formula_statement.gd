@@ -38,6 +38,13 @@ func test_a_sum_as_it_is_shown_gives_no_more_than_what_is_called_rounding() -> v
 	assert_eq(texts[4], "(−0.4530613)")
 
 
+# With four digits it would be 0 / 0.
+func test_no_difference_that_is_divided_by_is_shown_as_0() -> void:
+	var statement := FormulaStatement.new("(|{old}| − {r}) / (|{old}| − |{new}|) = {wrong}")
+	_put({old = 10.0, r = 10.0, new = 10.0000000002, wrong = 0.0})
+	_assert_texts(statement, ["10", "10", "10", "10.0000000002", "0"])
+
+
 # With 4e15 and 3e15 the sum would be 0.
 func test_a_result_of_which_one_digit_holds_has_all_digits_of_its_terms() -> void:
 	var statement := FormulaStatement.new("a · b = {ux}·{wx} + {uy}·{wy} = {dot}")
