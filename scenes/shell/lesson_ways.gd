@@ -2,8 +2,8 @@ class_name LessonWays
 extends Node
 ## The ways from the open lesson to the ones before and behind it in the order of the
 ## [LessonAgenda]: a button and a key for each, and one step more than the lesson has, as a
-## presenter's remote control sends it. Where the top bar has no room for the buttons, the steps lead
-## on alone. In a demo there are none.
+## presenter's remote control sends it. Where the top bar has no room for the buttons, the steps
+## lead on alone. In a demo there are none.
 
 ## Another lesson is to be opened.
 signal wanted(lesson: LessonInfo)
