@@ -35,6 +35,11 @@ func after_each() -> void:
 	LessonBoards.forget_all()
 	if get_tree().current_scene:
 		get_tree().current_scene.free()
+	# A second lesson would take the keys of the next test, too.
+	for left: Node in get_tree().root.get_children():
+		if left is LessonFrame and not left.is_queued_for_deletion():
+			fail_test("a lesson is left open")
+			left.free()
 	# The start screen's cards watch the student's files. The next test has files of its own.
 	for watcher: Node in get_tree().root.find_children("*", "WorkshopWatcher", false, false):
 		watcher.free()

@@ -100,7 +100,9 @@ static func kept_together(sentence: String) -> String:
 
 ## [param text] with no short word left alone in its last line.
 static func with_whole_ending(text: String) -> String:
-	return text.left(-_ENDING) + text.right(_ENDING).replace(" ", NO_BREAK_SPACE)
+	# A space right before the last letters may break.
+	var ending := text.right(_ENDING).strip_edges(true, false)
+	return text.left(text.length() - ending.length()) + ending.replace(" ", NO_BREAK_SPACE)
 
 
 func _ready() -> void:

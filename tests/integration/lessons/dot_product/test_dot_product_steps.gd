@@ -205,6 +205,7 @@ func test_a_step_is_kept_when_a_vector_is_dragged() -> void:
 
 
 func test_whoever_has_only_a_finger_is_told_to_tap() -> void:
+	screen().free()
 	Input.emulate_touch_from_mouse = true
 	await open_lesson(LessonIndex.find(&"dot_product"))
 	Input.emulate_touch_from_mouse = false
