@@ -13,7 +13,8 @@ static func heading(exercise: WorkshopExercise) -> String:
 
 ## The file of a verdict, its line, and the mistake's number in the course's list.
 static func place(verdict: WorkshopVerdict) -> String:
-	var parts: PackedStringArray = [WorkshopFiles.FOLDER.get_file().path_join(verdict.file)]
+	# With blanks, because a narrow panel has no room for the whole path in one line.
+	var parts: PackedStringArray = [WorkshopFiles.FOLDER.get_file() + " / " + verdict.file]
 	if verdict.line > 0:
 		parts.append(LabText.translate("line %d") % verdict.line)
 	if verdict.mistake > 0:

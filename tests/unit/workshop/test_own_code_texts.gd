@@ -14,12 +14,12 @@ func test_each_kind_of_verdict_has_a_sign_of_its_kind() -> void:
 func test_the_place_has_line_and_mistake_where_there_are_any() -> void:
 	var verdict := WorkshopVerdict.new()
 	verdict.file = "my_vec2.gd"
-	assert_eq(OwnCodeTexts.place(verdict), "workshop/my_vec2.gd")
+	assert_eq(OwnCodeTexts.place(verdict), "workshop / my_vec2.gd")
 	verdict.line = 12
 	verdict.mistake = 9
-	assert_eq(OwnCodeTexts.place(verdict), "workshop/my_vec2.gd, line 12, mistake 9")
+	assert_eq(OwnCodeTexts.place(verdict), "workshop / my_vec2.gd, line 12, mistake 9")
 	verdict.mistake = -2
-	assert_eq(OwnCodeTexts.place(verdict), "workshop/my_vec2.gd, line 12")
+	assert_eq(OwnCodeTexts.place(verdict), "workshop / my_vec2.gd, line 12")
 
 
 func test_an_answer_reads_as_its_kind() -> void:
