@@ -55,7 +55,7 @@ func _unhandled_input(event: InputEvent) -> void:
 		_go(1)
 
 
-# Both buttons are seen in every lesson, so that they keep their places.
+# Where there is room, both buttons are seen in every lesson, so that they keep their places.
 func _fit() -> void:
 	for button: Button in [_previous, _next]:
 		button.visible = _frame.size.x >= _NARROWEST

@@ -12,16 +12,17 @@ var acceleration: Vec2
 var radius: float
 
 
-## A target at [param at_position]; without more, it rests and is a point.
+## A target at [param at_position]; without more, it rests and is a point. The vectors are copied,
+## so that nothing is shared.
 func _init(
 	at_position: Vec2,
 	with_velocity := Vec2.zero(),
 	with_acceleration := Vec2.zero(),
 	with_radius: float = 0.0
 ) -> void:
-	position = at_position
-	velocity = with_velocity
-	acceleration = with_acceleration
+	position = at_position.copy()
+	velocity = with_velocity.copy()
+	acceleration = with_acceleration.copy()
 	radius = with_radius
 
 

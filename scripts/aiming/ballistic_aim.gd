@@ -8,8 +8,8 @@ extends RefCounted
 
 
 ## The shots from [param shooter] at a point that rests: the flat arc first, then the high one.
-## Empty where [param speed], in px/s, is less than [method least_speed]. Without gravity there is
-## one.
+## Without gravity there is one. Empty where [param speed], in px/s, is less than
+## [method least_speed], and where shooter and target are in one place.
 static func at_fixed(shooter: Vec2, target: Vec2, gravity: Vec2, speed: float) -> Array[Aim]:
 	if not Aim.can_shoot(speed):
 		return []

@@ -38,7 +38,7 @@ static func at_line(
 ## on screen.
 ##
 ## The bullet crosses the circle at flights f that do not depend on when it is fired; then the
-## target has to be there.
+## target has to be there. A target that does not turn is an error.
 static func at_circle(
 	muzzle: Vec2,
 	bullet: Vec2,
@@ -48,6 +48,9 @@ static func at_circle(
 	phase: float,
 	turn: float
 ) -> TimedShot:
+	if turn == 0.0 or not is_finite(turn):
+		push_error("A target on a circle must turn, by a finite number of rad/s, not by %s." % turn)
+		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
 	var shots: Array[TimedShot] = []
 	var from := muzzle.minus(centre)
 	for flight in _crossings(from, bullet, gravity, radius):
@@ -64,7 +67,8 @@ static func at_circle(
 
 
 ## Half of the time, in seconds, within which a shot at a target on a line still hits where bullet
-## and target have [param radius] together, without gravity: R |W - v| / |v × W|.
+## and target have [param radius] together, without gravity: R |W - v| / |v × W|. INF where both
+## ways are parallel.
 static func window(bullet: Vec2, velocity: Vec2, radius: float) -> float:
 	return radius * bullet.distance_to(velocity) / absf(velocity.cross(bullet))
 
@@ -87,7 +91,7 @@ static func _flown(from: Vec2, bullet: Vec2, gravity: Vec2, flight: float) -> Ve
 	return from.plus(bullet.scaled(flight)).plus(fallen)
 
 
-# The flights above 0 after which the bullet is on the circle.
+# The flights after which the bullet is on the circle. _earliest leaves out those below 0.
 static func _crossings(
 	from: Vec2, bullet: Vec2, gravity: Vec2, radius: float
 ) -> PackedFloat64Array:

@@ -27,11 +27,16 @@ func _init(muzzle: Vec2, angle: float, turn: float, speed: float, target: AimTar
 	_target = target
 
 
-## The first moment to fire within [param longest] seconds.
+## The first moment to fire within [param longest] seconds. A bullet that is not faster than the
+## target is an error.
 func first(longest: float = TimedAim.LONGEST) -> TimedShot:
+	if not _can_always_aim():
+		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
 	var step := _FIRST_STEP
 	var time := 0.0
 	var ahead := _ahead(time)
+	if ahead == 0.0:
+		return _shot(time)
 	while time < longest:
 		var next := minf(time + step, longest)
 		var next_ahead := _ahead(next)
@@ -41,13 +46,23 @@ func first(longest: float = TimedAim.LONGEST) -> TimedShot:
 			step *= 0.5
 			continue
 		# Far from 0 a change of sign is the one from half a turn to minus half a turn.
-		if (ahead < 0.0) != (next_ahead < 0.0) and absf(ahead) < 1.0 or ahead == 0.0:
+		if (ahead < 0.0) != (next_ahead < 0.0) and absf(ahead) < 1.0:
 			return _shot(_bisected(time, next, ahead < 0.0))
 		if maxf(change, turned) < 0.5 * _LARGEST_TURN:
 			step *= 1.5
 		time = next
 		ahead = next_ahead
 	return TimedShot.miss(TimedShot.Outcome.NOT_IN_TIME)
+
+
+func _can_always_aim() -> bool:
+	if not Aim.can_shoot(_speed):
+		return false
+	if _speed > _target.velocity.length():
+		return true
+	var values := [_speed, _target.velocity.length()]
+	push_error("The bullet must be faster than the target, but has %s px/s to %s px/s." % values)
+	return false
 
 
 # The lead for a shot at this time.

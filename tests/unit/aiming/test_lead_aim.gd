@@ -77,3 +77,10 @@ func test_a_speed_that_is_none_is_an_error() -> void:
 	for speed: float in [0.0, -5.0, NAN, INF]:
 		assert_false(LeadAim.first(Vec2.zero(), target, speed).hit)
 		assert_push_error("must be above 0 px/s")
+
+
+func test_a_target_shares_no_vector() -> void:
+	var place := Vec2.new(240, 0)
+	var target := AimTarget.new(place)
+	place.set_xy(0, 0)
+	assert_eq(target.position.x, 240.0)

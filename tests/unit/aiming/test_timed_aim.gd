@@ -66,3 +66,30 @@ func test_a_target_that_has_passed_is_told() -> void:
 	var bullet := Vec2.new(0, -200)
 	var shot := TimedAim.at_line(Vec2.new(300, 400), bullet, Vec2.zero(), target, velocity)
 	assert_eq(shot.outcome, TimedShot.Outcome.NOT_IN_TIME)
+
+
+func test_a_barrel_that_points_right_already_fires_at_once() -> void:
+	for angle: float in [0.0, PI / 2]:
+		var target := AimTarget.new(Vec2.unit_radians(angle).scaled(100))
+		for turn: float in [1.0, -1.0]:
+			var shot := TurningBarrel.new(Vec2.zero(), angle, turn, 50, target).first()
+			assert_almost_eq(shot.fire, 0.0, 1e-15)
+			assert_almost_eq(shot.flight, 2.0, 1e-15)
+
+
+func test_a_target_that_no_barrel_can_follow_is_an_error() -> void:
+	var target := AimTarget.new(Vec2.new(100, 0), Vec2.new(0, 60))
+	assert_false(TurningBarrel.new(Vec2.zero(), 0, 1, 60, target).first().hit)
+	assert_push_error("must be faster than the target")
+	assert_false(TurningBarrel.new(Vec2.zero(), 0, 1, 0, target).first().hit)
+	assert_push_error("must be above 0 px/s")
+	var bullet := Vec2.new(50, 0)
+	for turn: float in [0.0, NAN]:
+		var centre := Vec2.new(90, 0)
+		var shot := TimedAim.at_circle(Vec2.zero(), bullet, Vec2.zero(), centre, 20, 0, turn)
+		assert_false(shot.hit)
+		assert_push_error("must turn")
+
+
+func test_the_window_of_parallel_ways_has_no_end() -> void:
+	assert_eq(TimedAim.window(Vec2.new(50, 0), Vec2.new(20, 0), 10), INF)

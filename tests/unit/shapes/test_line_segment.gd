@@ -109,3 +109,18 @@ func test_an_end_beyond_the_limit_is_named_with_the_limit() -> void:
 
 static func _segment() -> LineSegment:
 	return LineSegment.new(Vec2.new(10, 20), Vec2.new(40, 60))
+
+
+func test_the_distance_of_two_segments() -> void:
+	var level := LineSegment.new(Vec2.new(0, 0), Vec2.new(10, 0))
+	var others: Dictionary[LineSegment, float] = {
+		LineSegment.new(Vec2.new(5, -5), Vec2.new(5, 5)): 0.0,
+		LineSegment.new(Vec2.new(5, 3), Vec2.new(5, 9)): 3.0,
+		LineSegment.new(Vec2.new(13, 4), Vec2.new(20, 9)): 5.0,
+		LineSegment.new(Vec2.new(-5, 2), Vec2.new(20, 2)): 2.0,
+		LineSegment.new(Vec2.new(5, 0), Vec2.new(20, 0)): 0.0,
+		LineSegment.new(Vec2.new(12, 0), Vec2.new(20, 0)): 2.0,
+	}
+	for other in others:
+		assert_almost_eq(level.distance_to(other), others[other], 1e-15)
+		assert_almost_eq(other.distance_to(level), others[other], 1e-15)
