@@ -59,7 +59,10 @@ func covered_ones() -> PackedStringArray:
 			if _lie_on_each_other(card.get_rect(), _texts[i].letters):
 				found.append("%s lies on “%s”" % [card.name, _texts[i].text])
 		for j: int in i:
-			if _can_strike(_texts[i], _texts[j]) and _lie_on_each_other(_texts[i].letters, _texts[j].letters):
+			if (
+				_can_strike(_texts[i], _texts[j])
+				and _lie_on_each_other(_texts[i].letters, _texts[j].letters)
+			):
 				found.append("“%s” lies on “%s” on the board" % [_texts[i].text, _texts[j].text])
 	return found
 
