@@ -10,6 +10,12 @@ extends RefCounted
 ## at each of these bounces: [method speed_after], [method way_after]. The walls meet at h0 / V; an
 ## infinite number of bounces comes before.
 
+## The shortest way and the slowest wall that can be used, in px and px/s: with less, and with more
+## than [constant LARGEST], the number of bounces could be too large for a double.
+const SMALLEST := 1e-70
+## The longest way and the fastest ball.
+const LARGEST := 1e70
+
 ## Whether the ball is crushed. Then only [member time] has a meaning, and is when that happened.
 var is_crushed := false
 ## Seconds since the start.
@@ -73,10 +79,12 @@ static func _problem_of(
 ) -> String:
 	if not (seconds >= 0.0 and is_finite(seconds)):
 		return "The time must be 0 s or more and finite, not %s s." % seconds
-	if not (free_way > 0.0 and is_finite(free_way)):
-		return "The free way must be above 0 px and finite, not %s." % free_way
-	if not wall_speed > 0.0:
-		return "The wall must come nearer, by more than 0 px/s, not by %s." % wall_speed
-	if not (ball_speed > wall_speed and is_finite(ball_speed)):
-		return "The ball must be faster than the wall's %s px/s, not %s." % [wall_speed, ball_speed]
+	var limits := [String.num_scientific(SMALLEST), String.num_scientific(LARGEST)]
+	if not (free_way >= SMALLEST and free_way <= LARGEST):
+		return "The free way must be within %s..%s px, not %s." % (limits + [free_way])
+	if not (wall_speed >= SMALLEST and wall_speed <= LARGEST):
+		return "The wall must come nearer with %s..%s px/s, not %s." % (limits + [wall_speed])
+	if not (ball_speed > wall_speed and ball_speed <= LARGEST):
+		var values := [wall_speed, limits[1], ball_speed]
+		return "The ball must be faster than the wall's %s px/s, at most %s, not %s." % values
 	return ""

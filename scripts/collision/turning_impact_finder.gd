@@ -3,14 +3,18 @@ extends RefCounted
 ## The first impact of a ball in straight flight with a segment that turns about a pivot.
 ##
 ## There is no formula for the time. Seen from the segment the ball flies on a spiral, and the gap
-## between both is looked at again and again. The gap cannot bend towards the segment by more than a
-## known bound, in px/s²: 2 |turn| |V| + turn² times the distance from the pivot. So with the gap and
-## its growth at one moment, a parabola lies below the gap from then on. The next look is where that
-## parabola comes down to 0: never behind an impact, and near one the steps are those of Newton's
-## method.
+## between both is looked at again and again. The gap cannot bend towards 0 by more than a known
+## bound, in px/s²: 2 |turn| |V| + turn² d, with the velocity V and the distance d from the pivot.
+## So with the gap and its growth at one moment, a parabola lies below the gap from then on. The
+## next look is where that parabola comes down to 0: never behind an impact, and near one the steps
+## are those of Newton's method.
 ## [br][br]
 ## A ball that overlaps already has its impact at the first moment at which it approaches. After a
 ## call that returned false, the members have no meaning.
+
+## No number may be larger than this, in pixels, seconds and radians: else a square or a product in
+## the search could be too large for a double.
+const LARGEST := 1e70
 
 ## Seconds until the impact.
 var time := 0.0
@@ -33,7 +37,7 @@ var _growth := 0.0
 
 
 ## Whether [param ball] meets [param turning] within [param longest] seconds, which must be finite.
-## What cannot be used is an error. A slow ball near a fast paddle takes about ten looks a turn.
+## What cannot be used is an error.
 func find(ball: Ball, turning: TurningSegment, longest: float) -> bool:
 	if not _can_find(ball, turning, longest):
 		return false
@@ -95,9 +99,9 @@ func _halve(left: float, right: float) -> void:
 
 
 static func _can_find(ball: Ball, turning: TurningSegment, longest: float) -> bool:
-	var problem := ball.problem()
+	var problem := ball.problem(LARGEST)
 	if not problem:
-		problem = turning.problem()
+		problem = turning.problem(LARGEST)
 	if not problem and not (longest >= 0.0 and is_finite(longest)):
 		problem = "The search must take 0 s or more and end, not take %s s." % longest
 	if problem:

@@ -32,9 +32,9 @@ static func between(
 	impact._keep(one, other)
 	if not _is_usable(one, other, bounciness, friction):
 		return impact
-	var finder := StraightImpactFinder.new()
 	var way := one.position.minus(other.position)
 	var velocity := one.velocity.minus(other.velocity)
+	var finder := StraightImpactFinder.new()
 	impact.hit = finder.with_point(
 		way.x, way.y, velocity.x, velocity.y, one.radius + other.radius, 0.0, 0.0
 	)
@@ -85,9 +85,13 @@ func _bounce(
 
 static func _is_usable(one: Ball, other: Ball, bounciness: float, friction: float) -> bool:
 	for problem: String in [
-		one.problem(),
-		other.problem(),
+		one.problem(Friction.LARGEST),
+		other.problem(Friction.LARGEST),
 		FrictionBounce.problem_of_surface(bounciness, friction),
+		Friction.problem_of_sizes(
+			one.position.distance_to(other.position) + one.radius + other.radius,
+			one.velocity.distance_to(other.velocity)
+		),
 	]:
 		if problem:
 			push_error("BallFrictionImpact: " + problem)

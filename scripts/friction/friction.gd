@@ -10,6 +10,10 @@ extends RefCounted
 ## What a contact does: nothing, the surfaces slip along each other, or they stick.
 enum Regime { NONE, SLIP, STICK }
 
+## No number of an impact with friction may be larger than this, in pixels, seconds and radians; nor
+## a distance times a speed: else their squares could be too large for a double.
+const LARGEST := 1e152
+
 ## How much slip an impulse of 1 per mass along the surface takes away: 1 by the flight and
 ## 1 / [constant Disc.INERTIA] = 2 by the spin.
 const YIELD := 1.0 + 1.0 / Disc.INERTIA
@@ -35,6 +39,16 @@ static func impulse(slip: float, push: float, friction: float) -> float:
 ## "" if [param friction] can be used as µ; otherwise one sentence with the value and what is
 ## allowed.
 static func problem_of(friction: float) -> String:
-	if friction >= 0.0 and is_finite(friction):
+	if friction >= 0.0 and friction <= LARGEST:
 		return ""
-	return "The friction µ must be 0 or more and finite, not %s." % friction
+	var limit := String.num_scientific(LARGEST)
+	return "The friction µ must be within 0..%s, not %s." % [limit, friction]
+
+
+## "" if an impact can be found at this distance, in pixels, and with this speed, in px/s; otherwise
+## one sentence with the values and what is allowed.
+static func problem_of_sizes(distance: float, speed: float) -> String:
+	if distance * speed <= LARGEST:
+		return ""
+	var values := [String.num_scientific(LARGEST), distance, speed]
+	return "Distance times speed must be at most %s px²/s, not %s px times %s px/s." % values

@@ -12,8 +12,10 @@ static func apply(
 	ball: Ball, normal: Vec2, bounciness: float, friction: float, wall_velocity := Vec2.zero()
 ) -> Friction.Regime:
 	var problem := problem_of(normal, bounciness, friction)
-	if not problem and not wall_velocity.is_finite():
-		problem = "The velocity of a wall must be finite, not %s." % wall_velocity
+	if not problem and not wall_velocity.is_within(Friction.LARGEST):
+		var limit := String.num_scientific(Friction.LARGEST)
+		var values := [limit, limit, wall_velocity]
+		problem = "The velocity of a wall must be within -%s..%s px/s, not %s." % values
 	if problem:
 		push_error("FrictionBounce.apply: " + problem)
 		return Friction.Regime.NONE
@@ -29,8 +31,8 @@ static func apply(
 	return Friction.regime(slip, push, friction)
 
 
-## "" if these can be used for a bounce with friction; otherwise one sentence with the value and what
-## is allowed.
+## "" if these can be used for a bounce with friction; otherwise one sentence with the value and
+## what is allowed.
 static func problem_of(normal: Vec2, bounciness: float, friction: float) -> String:
 	if not absf(normal.length() - 1.0) <= 1e-9:
 		return "The normal must have length 1, but has length %s." % normal.length()

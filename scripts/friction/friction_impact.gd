@@ -37,8 +37,13 @@ static func with_segment(
 	var moving := TurningSegment.new(segment, segment.start, 0.0, segment_velocity)
 	if not _is_usable(ball, moving, bounciness, friction):
 		return impact
-	var finder := StraightImpactFinder.new()
 	var relative := ball.velocity.minus(segment_velocity)
+	var way := ball.position.distance_to(segment.start) + segment.length() + ball.radius
+	var problem := Friction.problem_of_sizes(way, relative.length())
+	if problem:
+		push_error("FrictionImpact: " + problem)
+		return impact
+	var finder := StraightImpactFinder.new()
 	impact.hit = finder.with_segment(
 		ball.position.x,
 		ball.position.y,
@@ -58,9 +63,9 @@ static func with_segment(
 
 
 ## The same by the steps of the lecture, within [param longest] seconds. The formula for an end of
-## the segment, (-b - sqrt(b² - 4 a c)) / 2a, loses its digits in a grazing impact and far away: then
-## it errs in the time, or does not see the impact. The normal and the velocity inherit that. Where
-## a square is too large for a double, no number comes out at all.
+## the segment, (-b - sqrt(b² - 4 a c)) / 2a, loses its digits in a grazing impact and far away:
+## then it errs in the time, or does not see the impact. The normal and the velocity inherit that.
+## Where a square is too large for a double, no number comes out at all.
 static func with_segment_by_the_slide(
 	ball: Ball,
 	segment: LineSegment,
@@ -127,8 +132,8 @@ static func _is_usable(
 	ball: Ball, segment: TurningSegment, bounciness: float, friction: float
 ) -> bool:
 	for problem: String in [
-		ball.problem(),
-		segment.problem(),
+		ball.problem(Friction.LARGEST),
+		segment.problem(Friction.LARGEST),
 		FrictionBounce.problem_of_surface(bounciness, friction),
 	]:
 		if problem:

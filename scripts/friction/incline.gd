@@ -8,6 +8,12 @@ extends RefCounted
 ## the slip changes by G - 3 µ N sign(u). When it has come to 0, the ball rolls if friction can hold
 ## it, 3 µ N >= abs(G): that is µ >= tan(angle) / 3, for then only two thirds of G move the ball.
 
+## The smallest radius of a ball, in pixels.
+const SMALLEST := 1e-70
+## No number may be larger than this, in pixels, seconds and radians: else a product could be too
+## large for a double.
+const LARGEST := 1e70
+
 ## The part of gravity along the line, in px/s²; below 0 where it pulls to the start.
 var pull := 0.0
 ## The part of gravity that presses the ball on the line, in px/s²; above 0.
@@ -43,14 +49,14 @@ func _init(segment: LineSegment, gravity: Vec2, friction: float, belt: float = 0
 ## "" if this can be used; otherwise one sentence with the value and what is allowed. Gravity along
 ## the line presses nothing on it, and so has no answer here.
 func problem() -> String:
-	if _segment.problem():
-		return _segment.problem()
-	if not _gravity.is_finite():
-		return "Gravity must be finite, not %s." % _gravity
-	if Friction.problem_of(_friction):
-		return Friction.problem_of(_friction)
-	if not is_finite(_belt):
-		return "The speed of a belt must be finite, not %s px/s." % _belt
+	for wrong: String in [
+		_segment.problem(LARGEST),
+		FreeFlight.problem_of_gravity(_gravity, LARGEST),
+		Friction.problem_of(_friction),
+		_problem_of_number("The speed of a belt", _belt, "px/s"),
+	]:
+		if wrong:
+			return wrong
 	if not pressure > 0.0:
 		return "Gravity must press on the line, but %s is along it." % _gravity
 	return ""
@@ -159,23 +165,32 @@ func _goes_on(
 
 
 func _can_run(radius: float, distance: float, speed: float, spin: float, longest: float) -> bool:
-	var wrong := problem()
-	if not wrong:
-		wrong = _problem_of_start(radius, distance, speed, spin, longest)
-	if wrong:
-		push_error("Incline: " + wrong)
-	return wrong == ""
+	for wrong: String in [
+		problem(),
+		_problem_of_number("The ball's speed", speed, "px/s"),
+		_problem_of_number("The ball's spin", spin, "rad/s"),
+		_problem_of_start(radius, distance, longest),
+	]:
+		if wrong:
+			push_error("Incline: " + wrong)
+			return false
+	return true
 
 
-func _problem_of_start(
-	radius: float, distance: float, speed: float, spin: float, longest: float
-) -> String:
-	if not (radius > 0.0 and is_finite(radius)):
-		return "A ball's radius must be above 0 and finite, not %s." % radius
-	if not (is_finite(speed) and is_finite(spin)):
-		return "Speed and spin must be finite, not %s px/s and %s rad/s." % [speed, spin]
+func _problem_of_start(radius: float, distance: float, longest: float) -> String:
+	var limit := String.num_scientific(LARGEST)
+	if not (radius >= SMALLEST and radius <= LARGEST):
+		var values := [String.num_scientific(SMALLEST), limit, radius]
+		return "A ball's radius must be within %s..%s px, not %s." % values
 	if not (distance >= 0.0 and distance <= length):
 		return "The ball must be 0..%s px from the start of the line, not %s." % [length, distance]
-	if not (longest >= 0.0 and is_finite(longest)):
-		return "A run must take 0 s or more and end, not take %s s." % longest
+	if not (longest >= 0.0 and longest <= LARGEST):
+		return "A run must take 0..%s s, not %s s." % [limit, longest]
 	return ""
+
+
+static func _problem_of_number(what: String, number: float, unit: String) -> String:
+	if absf(number) <= LARGEST:
+		return ""
+	var limit := String.num_scientific(LARGEST)
+	return "%s must be within -%s..%s %s, not %s." % [what, limit, limit, unit, number]

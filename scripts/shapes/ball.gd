@@ -15,8 +15,8 @@ var mass: float
 var spin: float
 
 
-## A ball, at rest unless [param at_velocity] or [param with_spin] is given. Both vectors are copied,
-## so that nothing is shared.
+## A ball, at rest unless [param at_velocity] or [param with_spin] is given. Both vectors are
+## copied, so that nothing is shared.
 func _init(
 	at_position: Vec2,
 	with_radius: float,
@@ -39,6 +39,21 @@ func copy() -> Ball:
 ## "" if this ball can be used; otherwise one sentence with the value and what is allowed. All its
 ## numbers must be finite and no larger than [param largest]; radius and mass must be above 0.
 func problem(largest: float = INF) -> String:
+	var wrong := _problem_of_numbers()
+	if wrong:
+		return wrong
+	var limit := String.num_scientific(largest)
+	if not (position.is_within(largest) and velocity.is_within(largest)):
+		var values := [limit, limit, position, velocity]
+		return "A ball's position and velocity must be within -%s..%s, not %s and %s." % values
+	if absf(spin) > largest:
+		return "A ball's spin must be within -%s..%s rad/s, not %s." % [limit, limit, spin]
+	if radius > largest or mass > largest:
+		return "A ball's radius and mass must be at most %s, not %s and %s." % [limit, radius, mass]
+	return ""
+
+
+func _problem_of_numbers() -> String:
 	if not (position.is_finite() and velocity.is_finite()):
 		return (
 			"A ball's position and velocity must be finite, not %s and %s." % [position, velocity]
@@ -49,10 +64,4 @@ func problem(largest: float = INF) -> String:
 		return "A ball's mass must be above 0 and finite, not %s." % mass
 	if not is_finite(spin):
 		return "A ball's spin must be finite, not %s rad/s." % spin
-	var limit := String.num_scientific(largest)
-	if not (position.is_within(largest) and velocity.is_within(largest)):
-		var values := [limit, limit, position, velocity]
-		return "A ball's position and velocity must be within -%s..%s, not %s and %s." % values
-	if radius > largest or mass > largest:
-		return "A ball's radius and mass must be at most %s, not %s and %s." % [limit, radius, mass]
 	return ""

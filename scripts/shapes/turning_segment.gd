@@ -48,11 +48,13 @@ func reach() -> float:
 	return maxf(segment.start.distance_to(pivot), segment.end.distance_to(pivot))
 
 
-## "" if this segment can be used; otherwise one sentence with the value and what is allowed.
-func problem() -> String:
-	if not (pivot.is_finite() and velocity.is_finite()):
-		var values := [pivot, velocity]
-		return "A pivot's position and velocity must be finite, not %s and %s." % values
-	if not is_finite(turn):
-		return "A segment must turn by a finite number of rad/s, not by %s." % turn
-	return segment.problem()
+## "" if this segment can be used; otherwise one sentence with the value and what is allowed. All
+## its numbers must be within -[param largest]..[param largest].
+func problem(largest: float) -> String:
+	var limit := String.num_scientific(largest)
+	if not (pivot.is_within(largest) and velocity.is_within(largest)):
+		var values := [limit, limit, pivot, velocity]
+		return "A pivot's position and velocity must be within -%s..%s, not %s and %s." % values
+	if not absf(turn) <= largest:
+		return "A segment must turn by -%s..%s rad/s, not by %s." % [limit, limit, turn]
+	return segment.problem(largest)

@@ -42,8 +42,8 @@ func segment(row: int) -> LineSegment:
 	return LineSegment.new(table.vector(row, "ax", "ay"), table.vector(row, "bx", "by"))
 
 
-## Notes the answer to a row. [param speed] is how fast ball and segment can move past each other, in
-## px/s: the error of the normal is judged by it.
+## Notes the answer to a row. [param speed] is how fast ball and segment can move past each other,
+## in px/s: the error of the normal is judged by it.
 func judge(row: int, impact: FrictionImpact, speed: float) -> void:
 	if not _agrees(row, impact):
 		wrong.append(row)

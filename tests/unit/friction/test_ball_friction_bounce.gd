@@ -100,7 +100,7 @@ func test_what_cannot_be_used_is_an_error_and_changes_nothing() -> void:
 	BallFrictionBounce.apply(one, other, _normal, NAN, 0.1)
 	assert_push_error("The bounciness C must be within 0..1, not nan.")
 	BallFrictionBounce.apply(one, other, _normal, 1.0, NAN)
-	assert_push_error("The friction µ must be 0 or more and finite, not nan.")
+	assert_push_error("The friction µ must be within 0..1e+152, not nan.")
 	assert_vec2(one.velocity, Vec2.new(250, 0), 0.0)
 	assert_vec2(other.velocity, Vec2.zero(), 0.0)
 

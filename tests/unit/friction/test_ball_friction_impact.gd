@@ -48,13 +48,16 @@ func test_the_balls_stay_as_they_are() -> void:
 
 
 func test_what_cannot_be_used_is_an_error() -> void:
-	var good := Ball.new(Vec2.new(50, 0), 10, Vec2.new(-1, 0))
+	var good := Ball.new(Vec2.new(50, 0), 10, Vec2.new(-9, 0))
 	var bad := Ball.new(Vec2.zero(), -1.0)
 	assert_false(BallFrictionImpact.between(good, bad, 1.0, 0.2).hit)
 	assert_push_error("A ball's radius must be above 0")
+	bad.radius = 1e152
+	assert_false(BallFrictionImpact.between(good, bad, 1.0, 0.2).hit)
+	assert_push_error("Distance times speed must be at most 1e+152 px²/s, not ")
 	bad.radius = 1.0
 	assert_false(BallFrictionImpact.between(good, bad, 1.0, -0.2).hit)
-	assert_push_error("The friction µ must be 0 or more and finite, not -0.2.")
+	assert_push_error("The friction µ must be within 0..1e+152, not -0.2.")
 
 
 func _judge(

@@ -128,11 +128,13 @@ func _difference_seen(six: Array[Vec2]) -> float:
 func test_what_cannot_be_used_is_an_error() -> void:
 	for friction: float in [-0.1, INF, NAN]:
 		assert_false(FrictionImpact.with_segment(_ball, _floor, 1.0, friction).hit)
-		assert_push_error("The friction µ must be 0 or more and finite, not %s." % friction)
+		assert_push_error("The friction µ must be within 0..1e+152, not %s." % friction)
 	assert_false(FrictionImpact.with_segment(_ball, _floor, 1.5, 0.1).hit)
 	assert_push_error("The bounciness C must be within 0..1, not 1.5.")
 	assert_false(FrictionImpact.with_segment(_ball, _floor, 1.0, 0.1, Vec2.new(NAN, 0)).hit)
-	assert_push_error("must be finite")
+	assert_push_error("A pivot's position and velocity must be within -1e+152..1e+152")
+	assert_false(FrictionImpact.with_segment(_ball, _floor, 1.0, 0.1, Vec2.new(0, 1e151)).hit)
+	assert_push_error("Distance times speed must be at most 1e+152 px²/s, not ")
 	_ball.spin = INF
 	assert_false(FrictionImpact.with_segment(_ball, _floor, 1.0, 0.1).hit)
 	assert_push_error("A ball's spin must be finite, not inf rad/s.")

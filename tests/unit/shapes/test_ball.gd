@@ -90,3 +90,7 @@ func test_a_number_beyond_the_limit_is_named_with_the_limit() -> void:
 		"A ball's radius and mass must be at most 5, not 6.0 and 1.0."
 	)
 	assert_string_contains(Ball.new(Vec2.zero(), 1.0, Vec2.zero(), 6.0).problem(5.0), "6.0")
+	assert_eq(
+		Ball.new(Vec2.zero(), 1.0, Vec2.zero(), 1.0, -6.0).problem(5.0),
+		"A ball's spin must be within -5..5 rad/s, not -6.0."
+	)

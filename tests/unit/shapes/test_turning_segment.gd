@@ -38,21 +38,21 @@ func test_it_reaches_as_far_as_its_farther_end() -> void:
 
 func test_it_shares_nothing_with_what_it_was_made_of() -> void:
 	var pivot := Vec2.zero()
-	var turning := TurningSegment.new(_paddle, pivot, 1.0)
+	var paddle := _paddle.copy()
+	var turning := TurningSegment.new(paddle, pivot, 1.0)
 	pivot.x = 99.0
-	_paddle.start.x = 99.0
+	paddle.start.x = 99.0
 	assert_vec2(turning.pivot, Vec2.zero(), 0.0)
 	assert_vec2(turning.segment.start, Vec2.new(10, 0), 0.0)
 
 
 func test_what_cannot_be_used_is_named() -> void:
-	assert_eq(TurningSegment.new(_paddle, Vec2.zero(), 1.0).problem(), "")
-	for bad: float in [INF, NAN]:
+	assert_eq(TurningSegment.new(_paddle, Vec2.zero(), -40.0).problem(40.0), "")
+	for bad: float in [INF, NAN, -41.0]:
 		var turning := TurningSegment.new(_paddle, Vec2.zero(), bad)
-		var wanted := "A segment must turn by a finite number of rad/s, not by %s." % bad
-		assert_eq(turning.problem(), wanted)
+		assert_eq(turning.problem(40.0), "A segment must turn by -40..40 rad/s, not by %s." % bad)
 		turning = TurningSegment.new(_paddle, Vec2.new(bad, 0), 1.0)
-		assert_string_contains(turning.problem(), "A pivot's position and velocity must be finite")
+		assert_string_contains(turning.problem(40.0), "must be within -40..40, not (")
 	var point := LineSegment.new(Vec2.zero(), Vec2.zero())
-	var problem := TurningSegment.new(point, Vec2.zero(), 1.0).problem()
+	var problem := TurningSegment.new(point, Vec2.zero(), 1.0).problem(40.0)
 	assert_string_contains(problem, "A segment must be longer than 0")
