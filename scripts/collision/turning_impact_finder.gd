@@ -45,15 +45,14 @@ func find(ball: Ball, turning: TurningSegment, longest: float) -> bool:
 	var reach := turning.reach() + _radius
 	var speed := _velocity.length()
 	var bend := absf(_turn) * (2.0 * speed + absf(_turn) * reach)
-	# Within this distance from the pivot the segment never comes.
-	var inside := _wall.closest_point(Vec2.zero()).length() - _radius
+	var nearest := _wall.closest_point(Vec2.zero()).length() - _radius
 	if speed == 0.0 and _turn != 0.0:
 		longest = minf(longest, TAU / absf(_turn))
-	time = _time_of_entry(reach)
+	time = 0.0
 	while time <= longest:
 		_look()
 		var step := FreeFlight.time_to_fall(_gap, _growth, -bend)
-		step = maxf(step, _time_inside(inside, speed))
+		step = maxf(step, _time_beside_ring(nearest, reach, speed))
 		if time + step == time:
 			_turn_back()
 			return normal.length() > 0.0
@@ -118,18 +117,11 @@ func _set_up(ball: Ball, turning: TurningSegment) -> void:
 	_radius = ball.radius
 
 
-# When the ball comes into the circle in which the segment turns; INF for never.
-func _time_of_entry(reach: float) -> float:
-	if _start.length() <= reach:
-		return 0.0
-	var finder := StraightImpactFinder.new()
-	var enters := finder.with_point(_start.x, _start.y, _velocity.x, _velocity.y, reach, 0.0, 0.0)
-	return finder.time if enters else INF
-
-
-# For how long the ball surely stays within a distance from the pivot; 0 where it is not there now.
-func _time_inside(distance: float, speed: float) -> float:
-	var free := distance - _way().length()
+# For how long the ball surely is not within the ring in which it can meet the segment, whose inner
+# and outer radius are given; 0 where it is there now.
+func _time_beside_ring(inner: float, outer: float, speed: float) -> float:
+	var distance := _way().length()
+	var free := maxf(inner - distance, distance - outer)
 	return free / speed if free > 0.0 else 0.0
 
 

@@ -159,8 +159,6 @@ func _goes_on(
 		ball.distance = 0.0 if to_start <= to_end else length
 		return true
 	ball.move(minf(lasts, left), acceleration, turning)
-	if left <= lasts:
-		ball.time = longest
 	return left <= lasts
 
 

@@ -105,6 +105,40 @@ func test_a_slow_ball_within_a_fast_ring_is_followed_in_few_looks() -> void:
 	assert_almost_eq(_finder.time, 45e6, 1e3)
 
 
+func test_a_ball_from_far_away_is_met_where_the_paddle_turns() -> void:
+	var paddle := TurningSegment.new(
+		LineSegment.new(Vec2.new(-100, 0), Vec2.new(100, 0)), Vec2.zero(), 50.0
+	)
+	assert_true(_finder.find(Ball.new(Vec2.new(-1e9, 0), 5, Vec2.new(1000, 0)), paddle, 1e9))
+	assert_between(_finder.time, 1e6 - 0.105, 1e6)
+	assert_false(_finder.find(Ball.new(Vec2.new(-1e9, 106), 5, Vec2.new(1000, 0)), paddle, 1e9))
+
+
+func test_a_centre_on_the_line_is_met_from_the_side_it_comes_from() -> void:
+	for turn: float in [1.0, -1.0]:
+		var paddle := TurningSegment.new(
+			LineSegment.new(Vec2.zero(), Vec2.new(100, 0)), Vec2.zero(), turn
+		)
+		assert_true(_finder.find(Ball.new(Vec2.new(50, 0), 5), paddle, 1.0))
+		assert_eq(_finder.time, 0.0)
+		assert_vec2(_finder.normal, Vec2.new(0, turn), 0.0)
+
+
+# Rounding decides whether such a centre is beside the line, which has a side, or beyond the end.
+func test_a_centre_on_an_end_has_a_normal_or_no_impact() -> void:
+	var vectors := random_vectors(32, 300)
+	var misses := 0
+	for index: int in range(0, vectors.size(), 3):
+		var segment := LineSegment.new(vectors[index], vectors[index + 1])
+		var paddle := TurningSegment.new(segment, Vec2.zero(), 1.0)
+		var ball := Ball.new(segment.end, 5, vectors[index + 2])
+		if _finder.find(ball, paddle, 1.0):
+			assert_almost_eq(_finder.normal.length(), 1.0, 1e-15)
+		else:
+			misses += 1
+	assert_between(misses, 1, 60)
+
+
 func test_a_ball_that_overlaps_and_moves_away_is_not_held_but_met_again() -> void:
 	var paddle := TurningSegment.new(
 		LineSegment.new(Vec2.zero(), Vec2.new(100, 0)), Vec2.zero(), 1.0

@@ -128,9 +128,11 @@ func test_a_run_can_be_cut_anywhere() -> void:
 	for number: int in 200:
 		var speed := rng.randf_range(-300, 300)
 		var spin := rng.randf_range(-30, 30)
-		var whole := incline.run(20, 500, speed, spin, 1.0)
-		var part := incline.run(20, 500, speed, spin, rng.randf())
-		var rest := incline.run(20, part.distance, part.speed, part.spin, 1.0 - part.time)
+		var last := rng.randf()
+		var whole := incline.run(20, 500, speed, spin, last)
+		assert_almost_eq(whole.time, last, 1e-15)
+		var part := incline.run(20, 500, speed, spin, last * rng.randf())
+		var rest := incline.run(20, part.distance, part.speed, part.spin, last - part.time)
 		assert_almost_eq(rest.distance, whole.distance, 1e-9)
 		assert_almost_eq(rest.spin, whole.spin, 1e-9)
 
