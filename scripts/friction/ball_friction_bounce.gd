@@ -13,12 +13,12 @@ extends RefCounted
 ## A slide writes impulses J = -(1 + C) v.n M with 1 / M = 1 / m1 + 1 / m2, and divides them by the
 ## masses again. Here each ball takes its share of the change at once: m2 / (m1 + m2) of it, and
 ## m1 / (m1 + m2), so that no 1 / m overflows.
-static func apply(
+static func bounce(
 	one: Ball, other: Ball, normal: Vec2, bounciness: float, friction: float
 ) -> Friction.Regime:
 	var problem := FrictionBounce.problem_of(normal, bounciness, friction)
 	if problem:
-		push_error("BallFrictionBounce.apply: " + problem)
+		push_error("BallFrictionBounce.bounce: " + problem)
 		return Friction.Regime.NONE
 	var relative := one.velocity.minus(other.velocity)
 	if not Bounce.is_approaching(relative, normal):

@@ -79,7 +79,7 @@ func _bounce(
 	normal = with_normal
 	var first := one.copy()
 	var second := other.copy()
-	regime = BallFrictionBounce.apply(first, second, normal, bounciness, friction)
+	regime = BallFrictionBounce.bounce(first, second, normal, bounciness, friction)
 	_keep(first, second)
 
 

@@ -8,7 +8,7 @@ extends RefCounted
 ## contact did. [param normal] has length 1 and points to the ball's centre, [param bounciness] C is
 ## 0..1, [param friction] µ is 0 or more. [param wall_velocity] is that of the touched point, in
 ## px/s. Values that cannot be used are an error, and nothing changes.
-static func apply(
+static func bounce(
 	ball: Ball, normal: Vec2, bounciness: float, friction: float, wall_velocity := Vec2.zero()
 ) -> Friction.Regime:
 	var problem := problem_of(normal, bounciness, friction)
@@ -17,7 +17,7 @@ static func apply(
 		var values := [limit, limit, wall_velocity]
 		problem = "The velocity of a wall must be within -%s..%s px/s, not %s." % values
 	if problem:
-		push_error("FrictionBounce.apply: " + problem)
+		push_error("FrictionBounce.bounce: " + problem)
 		return Friction.Regime.NONE
 	var relative := ball.velocity.minus(wall_velocity)
 	if not Bounce.is_approaching(relative, normal):

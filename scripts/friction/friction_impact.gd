@@ -124,7 +124,7 @@ func _bounce(
 	normal = with_normal
 	position = ball.position.plus(ball.velocity.scaled(time))
 	var bouncing := ball.copy()
-	regime = FrictionBounce.apply(bouncing, normal, bounciness, friction, wall_velocity)
+	regime = FrictionBounce.bounce(bouncing, normal, bounciness, friction, wall_velocity)
 	_keep(bouncing)
 
 

@@ -18,7 +18,7 @@ func test_the_lesson_s_pool_balls() -> void:
 func test_balls_that_move_apart_are_left_alone() -> void:
 	var one := Ball.new(Vec2.zero(), 20, Vec2.new(-250, 0), 1.0, 3.0)
 	var other := Ball.new(Vec2.new(32, 24), 20)
-	var regime := BallFrictionBounce.apply(one, other, _normal, 1.0, 0.2)
+	var regime := BallFrictionBounce.bounce(one, other, _normal, 1.0, 0.2)
 	assert_eq([regime, one.spin, other.spin], [Friction.Regime.NONE, 3.0, 0.0])
 	assert_vec2(one.velocity, Vec2.new(-250, 0), 0.0)
 
@@ -75,7 +75,7 @@ func test_the_balls_swapped_give_the_same() -> void:
 		var other := pair.other.copy()
 		pair.bounce()
 		var normal := pair.normal.negated()
-		BallFrictionBounce.apply(other, one, normal, pair.bounciness, pair.friction)
+		BallFrictionBounce.bounce(other, one, normal, pair.bounciness, pair.friction)
 		assert_vec2(one.velocity, pair.one.velocity, 1e-12)
 		assert_almost_eq(other.spin, pair.other.spin, 1e-12)
 
@@ -86,7 +86,7 @@ func test_a_very_heavy_ball_is_a_wall() -> void:
 		pair.other.spin = 0.0
 		var alone := pair.one.copy()
 		var wall := pair.other.velocity.copy()
-		FrictionBounce.apply(alone, pair.normal, pair.bounciness, pair.friction, wall)
+		FrictionBounce.bounce(alone, pair.normal, pair.bounciness, pair.friction, wall)
 		pair.bounce()
 		assert_vec2(pair.one.velocity, alone.velocity, 1e-11)
 		assert_almost_eq(pair.one.spin, alone.spin, 1e-11)
@@ -95,11 +95,11 @@ func test_a_very_heavy_ball_is_a_wall() -> void:
 func test_what_cannot_be_used_is_an_error_and_changes_nothing() -> void:
 	var one := Ball.new(Vec2.zero(), 20, Vec2.new(250, 0))
 	var other := Ball.new(Vec2.new(32, 24), 20)
-	BallFrictionBounce.apply(one, other, Vec2.zero(), 1.0, 0.1)
+	BallFrictionBounce.bounce(one, other, Vec2.zero(), 1.0, 0.1)
 	assert_push_error("The normal must have length 1, but has length 0.0.")
-	BallFrictionBounce.apply(one, other, _normal, NAN, 0.1)
+	BallFrictionBounce.bounce(one, other, _normal, NAN, 0.1)
 	assert_push_error("The bounciness C must be within 0..1, not nan.")
-	BallFrictionBounce.apply(one, other, _normal, 1.0, NAN)
+	BallFrictionBounce.bounce(one, other, _normal, 1.0, NAN)
 	assert_push_error("The friction µ must be within 0..1e+152, not nan.")
 	assert_vec2(one.velocity, Vec2.new(250, 0), 0.0)
 	assert_vec2(other.velocity, Vec2.zero(), 0.0)
@@ -108,7 +108,7 @@ func test_what_cannot_be_used_is_an_error_and_changes_nothing() -> void:
 func _pool(friction: float) -> Array[Ball]:
 	var one := Ball.new(Vec2.zero(), 20, Vec2.new(250, 0))
 	var other := Ball.new(Vec2.new(32, 24), 20)
-	BallFrictionBounce.apply(one, other, _normal, 1.0, friction)
+	BallFrictionBounce.bounce(one, other, _normal, 1.0, friction)
 	return [one, other]
 
 
@@ -162,7 +162,7 @@ class Pair:
 		return sum
 
 	func bounce() -> Friction.Regime:
-		return BallFrictionBounce.apply(one, other, normal, bounciness, friction)
+		return BallFrictionBounce.bounce(one, other, normal, bounciness, friction)
 
 	static func _random_ball(rng: RandomNumberGenerator) -> Ball:
 		var velocity := Vec2.random_unit(rng).scaled(rng.randf_range(1, 500))

@@ -26,7 +26,7 @@ func test_a_ball_that_rolls_already_keeps_its_spin() -> void:
 func test_a_ball_that_moves_away_or_along_is_left_alone() -> void:
 	for downwards: float in [0.0, -400.0]:
 		var ball := Ball.new(Vec2.zero(), 20, Vec2.new(300, downwards), 1.0, 5.0)
-		assert_eq(FrictionBounce.apply(ball, _normal, 1.0, 0.5), Friction.Regime.NONE)
+		assert_eq(FrictionBounce.bounce(ball, _normal, 1.0, 0.5), Friction.Regime.NONE)
 		assert_vec2(ball.velocity, Vec2.new(300, downwards), 0.0)
 		assert_eq(ball.spin, 5.0)
 
@@ -34,7 +34,7 @@ func test_a_ball_that_moves_away_or_along_is_left_alone() -> void:
 func test_a_wall_that_moves_along_drags_the_ball_with_it() -> void:
 	var ball := Ball.new(Vec2.zero(), 20, Vec2.new(0, 400))
 	var belt := Vec2.new(90, 0)
-	assert_eq(FrictionBounce.apply(ball, _normal, 0.0, 0.5, belt), Friction.Regime.STICK)
+	assert_eq(FrictionBounce.bounce(ball, _normal, 0.0, 0.5, belt), Friction.Regime.STICK)
 	assert_vec2(ball.velocity, Vec2.new(30, 0), 1e-14)
 	assert_almost_eq(ball.spin, -3.0, 1e-15)
 
@@ -101,7 +101,7 @@ func test_an_observer_who_moves_along_sees_the_same() -> void:
 		var seen := hit.ball.copy()
 		seen.velocity.add(frames[index])
 		hit.bounce()
-		FrictionBounce.apply(seen, hit.normal, hit.bounciness, hit.friction, frames[index])
+		FrictionBounce.bounce(seen, hit.normal, hit.bounciness, hit.friction, frames[index])
 		assert_vec2(seen.velocity.minus(frames[index]), hit.ball.velocity, 1e-11)
 		assert_almost_eq(seen.spin, hit.ball.spin, 1e-11)
 
@@ -113,7 +113,7 @@ func test_in_a_mirror_the_spin_turns_the_other_way() -> void:
 		mirrored.spin *= -1.0
 		var normal := Vec2.new(-hit.normal.x, hit.normal.y)
 		hit.bounce()
-		FrictionBounce.apply(mirrored, normal, hit.bounciness, hit.friction)
+		FrictionBounce.bounce(mirrored, normal, hit.bounciness, hit.friction)
 		var wanted := Vec2.new(-hit.ball.velocity.x, hit.ball.velocity.y)
 		assert_vec2(mirrored.velocity, wanted, 1e-12)
 		assert_almost_eq(mirrored.spin, -hit.ball.spin, 1e-12)
@@ -121,13 +121,13 @@ func test_in_a_mirror_the_spin_turns_the_other_way() -> void:
 
 func test_what_cannot_be_used_is_an_error_and_changes_nothing() -> void:
 	var ball := Ball.new(Vec2.zero(), 20, Vec2.new(300, 400))
-	FrictionBounce.apply(ball, Vec2.new(0, -2), 1.0, 0.1)
+	FrictionBounce.bounce(ball, Vec2.new(0, -2), 1.0, 0.1)
 	assert_push_error("The normal must have length 1, but has length 2.0.")
-	FrictionBounce.apply(ball, _normal, -1.0, 0.1)
+	FrictionBounce.bounce(ball, _normal, -1.0, 0.1)
 	assert_push_error("The bounciness C must be within 0..1, not -1.0.")
-	FrictionBounce.apply(ball, _normal, 1.0, -0.1)
+	FrictionBounce.bounce(ball, _normal, 1.0, -0.1)
 	assert_push_error("The friction µ must be within 0..1e+152, not -0.1.")
-	FrictionBounce.apply(ball, _normal, 1.0, 0.1, Vec2.new(INF, 0))
+	FrictionBounce.bounce(ball, _normal, 1.0, 0.1, Vec2.new(INF, 0))
 	assert_push_error("The velocity of a wall must be within -1e+152..1e+152 px/s, not (inf")
 	assert_vec2(ball.velocity, Vec2.new(300, 400), 0.0)
 	assert_eq(ball.spin, 0.0)
@@ -143,7 +143,7 @@ func _assert_bounces(
 	spin_after: float
 ) -> void:
 	var ball := Ball.new(Vec2.zero(), 20, Vec2.new(along, 400), 1.0, spin)
-	assert_eq(FrictionBounce.apply(ball, _normal, 1.0, friction), regime)
+	assert_eq(FrictionBounce.bounce(ball, _normal, 1.0, friction), regime)
 	assert_vec2(ball.velocity, Vec2.new(along_after, -400), 1e-13)
 	assert_almost_eq(ball.spin, spin_after, 1e-14)
 
@@ -179,4 +179,4 @@ class Hit:
 		return ball.velocity.dot(tangent) - ball.radius * ball.spin
 
 	func bounce() -> Friction.Regime:
-		return FrictionBounce.apply(ball, normal, bounciness, friction)
+		return FrictionBounce.bounce(ball, normal, bounciness, friction)
