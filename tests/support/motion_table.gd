@@ -63,10 +63,10 @@ func aim_error(row: int, direction: Vec2, wanted: Vec2, condition := "condition_
 
 ## The error of a velocity, in the same sense: with lengths.
 func velocity_error(row: int, velocity: Vec2, wanted: Vec2, condition: String) -> float:
-	var error := velocity.distance_to(wanted)
-	if error == 0.0:
+	var distance := velocity.distance_to(wanted)
+	if distance == 0.0:
 		return 0.0
-	return error / (ImpactTable.EPSILON * maxf(at(row, condition), wanted.length()))
+	return distance / (ImpactTable.EPSILON * maxf(at(row, condition), wanted.length()))
 
 
 ## The error of the normal of an impact, as [ImpactTable] judges it; [param lengths] are those of
