@@ -1,0 +1,91 @@
+class_name FiredShot
+extends RefCounted
+## A shot as it flies, in the event world: where the bullet is at any time, and by how much it
+## misses.
+
+# A search for the nearest moment looks at so many moments first, and then between two of them.
+const _MOMENTS := 400
+const _HALVINGS := 80
+
+var _bullet: Ball
+var _gravity: Vec2
+var _walls: Array[LineSegment]
+var _bounciness: float
+var _world := EventWorld.new()
+
+
+## A bullet from [param start], in pixels, with its whole [param velocity] in px/s, so with that of
+## a moving shooter, too. [param gravity] is in px/s². It bounces off [param walls] with its
+## [param radius] and [param bounciness]. What cannot be flown is an error, and the bullet rests.
+func _init(
+	start: Vec2,
+	velocity: Vec2,
+	gravity := Vec2.zero(),
+	radius: float = 1.0,
+	walls: Array[LineSegment] = [],
+	bounciness: float = 1.0
+) -> void:
+	_bullet = Ball.new(start.copy(), radius, velocity.copy())
+	_gravity = gravity.copy()
+	_walls = walls
+	_bounciness = bounciness
+	_load()
+
+
+## Where the bullet is so many [param seconds] after the shot, in pixels.
+func place_after(seconds: float) -> Vec2:
+	if seconds < _world.time:
+		_load()
+	_tell(_world.advance_to(seconds))
+	return _world.position(0)
+
+
+## The moment until [param longest] seconds at which the bullet is nearest to a target that is at
+## [code]place.call(seconds)[/code]. The earliest of equal ones.
+func nearest_moment(place: Callable, longest: float) -> float:
+	var nearest := 0
+	var least := INF
+	for moment: int in _MOMENTS + 1:
+		var distance := distance_after(longest * moment / _MOMENTS, place)
+		if distance < least:
+			least = distance
+			nearest = moment
+	return _between(
+		longest * maxi(nearest - 1, 0) / _MOMENTS,
+		longest * mini(nearest + 1, _MOMENTS) / _MOMENTS,
+		place
+	)
+
+
+## How far the bullet's centre is from the target's so many [param seconds] after the shot, in
+## pixels.
+func distance_after(seconds: float, place: Callable) -> float:
+	var there: Vec2 = place.call(seconds)
+	return place_after(seconds).distance_to(there)
+
+
+# The way is cut in three, and the third that is farther away is left.
+func _between(from: float, to: float, place: Callable) -> float:
+	for halving: int in _HALVINGS:
+		var third := (to - from) / 3.0
+		if distance_after(from + third, place) <= distance_after(to - third, place):
+			to -= third
+		else:
+			from += third
+	return from
+
+
+func _load() -> void:
+	_world = EventWorld.new()
+	_tell(_world.set_gravity(_gravity))
+	_tell(_world.set_bounciness(_bounciness))
+	_tell(_world.set_segments(_walls))
+	var refusal := _world.set_balls([_bullet])
+	if refusal:
+		_tell(refusal)
+		_tell(_world.set_balls([Ball.new(Vec2.zero(), 1.0)]))
+
+
+static func _tell(refusal: String) -> void:
+	if refusal:
+		push_error(refusal)
