@@ -38,8 +38,8 @@ static func ways(
 	return BankSearch.new(start, target, radius, bounciness, walls).ways(bounces)
 
 
-## The image of a target as a slide writes it: T' = T - (1 + 1/C) ((T - o)·n - r) n, with a point o of
-## the wall and its normal n on the side of [param start].
+## The image of a target as a slide writes it: T' = T - (1 + 1/C) ((T - o)·n - r) n, with a point o
+## of the wall and its normal n on the side of [param start].
 static func image_by_the_slide(
 	start: Vec2, target: Vec2, radius: float, bounciness: float, wall: LineSegment
 ) -> Vec2:
@@ -50,9 +50,9 @@ static func image_by_the_slide(
 	return target.minus(normal.scaled((1.0 + 1.0 / bounciness) * height))
 
 
-## The same as [method first] by the formula of the slide alone: the way to the nearest image. It does
-## not look whether the ball meets the walls between their ends, in this order, and nothing before:
-## with one wall that is long enough it is right.
+## The same as [method first] by the formula of the slide alone: the way to the nearest image. It
+## does not look whether the ball meets the walls between their ends, in this order, and nothing
+## before: with one wall that is long enough it is right.
 static func first_by_the_slide(
 	start: Vec2,
 	target: Vec2,
@@ -103,7 +103,8 @@ static func _nearest_image(
 			continue
 		var longer := BankWay.new()
 		var image := image_by_the_slide(start, way.images[0], radius, bounciness, walls[wall])
-		longer.images = [image] + way.images
+		longer.images = way.images.duplicate()
+		longer.images.push_front(image)
 		longer.walls = PackedInt32Array([wall]) + way.walls
 		var found := _nearest_image(start, longer, radius, bounciness, walls, bounces - 1)
 		if found.distance < best.distance:

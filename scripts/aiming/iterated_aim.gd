@@ -1,15 +1,15 @@
 class_name IteratedAim
 extends RefCounted
-## Aims ahead as many games do: guess how long the bullet flies, aim at where the target is then, and
-## guess again from there (fixed-point iteration).
+## Aims ahead as many games do: guess how long the bullet flies, aim at where the target is then,
+## and guess again from there (fixed-point iteration).
 ##
 ## No round aims at where the target is now, and one round is the usual lead. Each round divides the
 ## error by about the ratio of the speeds of bullet and target. Nothing tells whether it is small
 ## yet; where the target is faster, it grows.
 
 
-## A shot at a target whose acceleration does not count, after so many [param rounds], 0 or more. The
-## bullet has [param speed], in px/s. The shot is meant to hit, but may miss.
+## A shot at a target whose acceleration does not count, after so many [param rounds], 0 or more.
+## The bullet has [param speed], in px/s. The shot is meant to hit, but may miss.
 static func lead(shooter: Vec2, target: AimTarget, speed: float, rounds: int) -> Aim:
 	if not Aim.can_shoot(speed):
 		return Aim.miss(Aim.Outcome.OUT_OF_REACH)

@@ -80,9 +80,9 @@ static func at_line_by_the_slide(
 	return _earliest([TimedShot.at(fire, p.cross(velocity) / across)])
 
 
-## The same as [method at_circle] by the formulas of the slide, without gravity: the quadratic formula
-## (-b ± sqrt(b² - a c)) / a for the flights, and the angle there for the moment. Where the bullet
-## grazes the circle, and where it starts close to it, the digits cancel.
+## The same as [method at_circle] by the formulas of the slide, without gravity: the quadratic
+## formula (-b ± sqrt(b² - a c)) / a for the flights, and the angle there for the moment. Where the
+## bullet grazes the circle, and where it starts close to it, the digits cancel.
 static func at_circle_by_the_slide(
 	muzzle: Vec2, bullet: Vec2, centre: Vec2, radius: float, phase: float, turn: float
 ) -> TimedShot:

@@ -27,7 +27,7 @@ func _shot(row: int) -> TimedShot:
 	var muzzle := _at(row, "s")
 	var speed := _table.at(row, "speed")
 	var angle := _table.at(row, "angle")
-	var bullet := Vec2.unit_radians(angle).scaled(speed)
+	var bullet := _bullet(row)
 	var rho := _table.at(row, "rho")
 	if _table.at(row, "turn") != 0.0:
 		var target := AimTarget.new(_at(row, "t"), _at(row, "v"))
@@ -51,6 +51,73 @@ func test_the_slide_s_numbers() -> void:
 	assert_almost_eq(shot.fire, 2.0, 1e-15)
 	assert_almost_eq(shot.flight, 1.0, 1e-15)
 	assert_almost_eq(TimedAim.window(bullet, velocity, 10), 0.1118, 1e-4)
+	shot = TimedAim.at_line_by_the_slide(muzzle, bullet, Vec2.new(0, 200), velocity)
+	assert_almost_eq(shot.fire, 2.0, 1e-15)
+	assert_almost_eq(shot.flight, 1.0, 1e-15)
+
+
+func test_a_circle_by_the_slide() -> void:
+	# The bullet comes to (0, -100) after half a second; the target is there after a whole one.
+	for solver: Callable in [
+		TimedAim.at_circle_by_the_slide,
+		func(
+			muzzle: Vec2, bullet: Vec2, centre: Vec2, radius: float, phase: float, turn: float
+		) -> TimedShot:
+			return TimedAim.at_circle(muzzle, bullet, Vec2.zero(), centre, radius, phase, turn)
+	]:
+		var muzzle := Vec2.new(0, -200)
+		var bullet := Vec2.new(0, 200)
+		var shot: TimedShot = solver.call(muzzle, bullet, Vec2.zero(), 100.0, 0.0, -PI / 2)
+		assert_almost_eq(shot.fire, 0.5, 1e-14)
+		assert_almost_eq(shot.flight, 0.5, 1e-14)
+
+
+func test_by_the_slide_the_digits_cancel_where_the_ways_hardly_cross() -> void:
+	var by_the_slide := 0.0
+	var careful := 0.0
+	for row: int in _table.size():
+		if _table.family(row) in ["line", "slow-crossing"] and _table.at(row, "hit") == 1.0:
+			var bullet := _bullet(row)
+			var muzzle := _at(row, "s")
+			var shot := TimedAim.at_line_by_the_slide(muzzle, bullet, _at(row, "t"), _at(row, "v"))
+			by_the_slide = maxf(by_the_slide, _table.error(row, shot.fire, "fire"))
+			careful = maxf(careful, _table.error(row, _shot(row).fire, "fire"))
+	assert_gt(by_the_slide, 20.0)
+	assert_lt(careful, 1.0)
+
+
+func test_by_the_slide_the_digits_cancel_where_the_bullet_grazes_the_circle() -> void:
+	var by_the_slide := 0.0
+	var careful := 0.0
+	for row: int in _table.size():
+		if _table.family(row) == "circle" and _table.at(row, "hit") == 1.0:
+			var phase := _table.at(row, "alpha")
+			var shot := TimedAim.at_circle_by_the_slide(
+				_at(row, "s"),
+				_bullet(row),
+				_at(row, "t"),
+				_table.at(row, "rho"),
+				phase,
+				_table.at(row, "omega")
+			)
+			by_the_slide = maxf(by_the_slide, _flight_error(row, shot))
+			careful = maxf(careful, _flight_error(row, _shot(row)))
+	assert_gt(by_the_slide, 5.0)
+	assert_lt(careful, 1.0)
+
+
+func test_by_the_slide_parallel_ways_are_told() -> void:
+	var velocity := Vec2.new(100, 0)
+	var shot := TimedAim.at_line_by_the_slide(Vec2.zero(), velocity, Vec2.new(0, 20), velocity)
+	assert_eq(shot.outcome, TimedShot.Outcome.PARALLEL)
+
+
+func _bullet(row: int) -> Vec2:
+	return Vec2.unit_radians(_table.at(row, "angle")).scaled(_table.at(row, "speed"))
+
+
+func _flight_error(row: int, shot: TimedShot) -> float:
+	return _table.error(row, shot.flight, "flight", "condition_flight")
 
 
 func test_parallel_ways_are_told() -> void:
