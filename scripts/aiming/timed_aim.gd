@@ -68,7 +68,7 @@ static func at_circle(
 
 ## The same as [method at_line] by the formulas of the slide, without gravity: the flight is
 ## (P × v) / (W × v), and the moment to fire is (P × (W - v)) / (W × v). Where both ways are nearly
-## parallel the digits of W × v cancel, and the bullet misses by as much.
+## parallel the digits of W × v cancel, and both times lose as many.
 static func at_line_by_the_slide(
 	muzzle: Vec2, bullet: Vec2, target: Vec2, velocity: Vec2
 ) -> TimedShot:
