@@ -34,7 +34,19 @@ static func all_kinds() -> Array[FuzzKind]:
 		SteppedEditKind.new(),
 		FastPathKind.new(),
 		PileKind.new(),
+		LeadShotKind.new(),
+		BallisticShotKind.new(),
+		MovingShotKind.new(),
+		BankShotKind.new(),
+		LineTimingKind.new(),
+		CircleTimingKind.new(),
+		TurningTimingKind.new(),
 	]
+
+
+## The kinds that have a turn.
+func kinds() -> Array[FuzzKind]:
+	return _kinds
 
 
 ## The kind of the next world.

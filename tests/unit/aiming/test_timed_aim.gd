@@ -144,6 +144,17 @@ func test_a_barrel_that_points_right_already_fires_at_once() -> void:
 			assert_almost_eq(shot.flight, 2.0, 1e-15)
 
 
+func test_a_barrel_fires_although_the_lead_overtakes_it_only_for_a_moment() -> void:
+	# The direction to aim at passes the barrel after 1.36 s and falls back behind it after 1.5 s.
+	var bullet := Vec2.new(580, 116)
+	var target := AimTarget.new(Vec2.new(-27, -212), Vec2.new(296, 332.7))
+	var muzzle := Vec2.new(250, 200)
+	var barrel := TurningBarrel.new(
+		muzzle, bullet.angle_radians(), TAU / 16.9, bullet.length(), target
+	)
+	assert_between(barrel.first().fire, 1.35, 1.37)
+
+
 func test_a_target_that_no_barrel_can_follow_is_an_error() -> void:
 	var target := AimTarget.new(Vec2.new(100, 0), Vec2.new(0, 60))
 	assert_false(TurningBarrel.new(Vec2.zero(), 0, 1, 60, target).first().hit)

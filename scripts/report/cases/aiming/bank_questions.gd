@@ -11,7 +11,7 @@ const ROOM := "room with walls in the way"
 ## All of them.
 const SITUATIONS: PackedStringArray = [ONE, LOSSY, ROOM]
 
-const _COUNT := 10
+const _COUNT := 4
 const _QUICK_COUNT := 2
 const _SEED := 23
 # Pixels.
