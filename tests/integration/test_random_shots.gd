@@ -1,6 +1,6 @@
 extends LabTest
 ## Random shots, flown in the event world, hit; and a dense search finds no earlier one. The command
-## `./lab stability --fuzz 18 shots` tries more of them.
+## `./lab stability --fuzz 34 shots` tries more of them.
 
 
 func test_random_shots_hit_and_none_is_earlier(
