@@ -46,10 +46,7 @@ func _try(run: FuzzRun) -> void:
 			continue
 		said = Time.get_ticks_msec()
 		print("%d worlds tried, %d of them with a problem" % [run.tried, run.count()])
-	for kind in run.kinds():
-		if kind.figures():
-			print(kind.figures())
-	print("\n%s" % run.counts_text())
+	print("\n%s\n%s" % [run.figures_text(), run.counts_text()])
 	print("seed %d: %d worlds tried, %d with a problem" % [_seed, run.tried, run.count()])
 	quit(mini(run.count(), 1))
 

@@ -44,11 +44,6 @@ static func all_kinds() -> Array[FuzzKind]:
 	]
 
 
-## The kinds that have a turn.
-func kinds() -> Array[FuzzKind]:
-	return _kinds
-
-
 ## The kind of the next world.
 func next_kind() -> FuzzKind:
 	return _kinds[tried % _kinds.size()]
@@ -83,6 +78,15 @@ func count() -> int:
 	for sort: String in _counts:
 		sum += _counts[sort]
 	return sum
+
+
+## What the kinds have measured, a line each; "" where none has.
+func figures_text() -> String:
+	var parts: PackedStringArray = []
+	for kind: FuzzKind in _kinds:
+		if kind.figures():
+			parts.append(kind.figures())
+	return "\n".join(parts)
 
 
 ## How many had each sort of problem, a line each.

@@ -113,13 +113,14 @@ static func _add_ways_of_directions(task: WorkshopTask, arc: float) -> void:
 		LabText.translate("It always shoots to the right: a target on the left has x below 0."),
 		func(n: PackedFloat64Array) -> PackedFloat64Array:
 			var d := _unit(_aim(n, n[2], arc))
-			return [-d[0], -d[1]] if n[0] < 0.0 else d
+			var sign_of_x := -1.0 if n[0] < 0.0 else 1.0
+			return [sign_of_x * d[0], sign_of_x * d[1]]
 	)
 	var above := task.way(
 		0,
 		LabText.translate("Straight above it divides by 0: x is 0 there."),
 		func(n: PackedFloat64Array) -> PackedFloat64Array:
-			return [NAN, NAN] if n[0] == 0.0 else _unit(_aim(n, n[2], arc))
+			return _nan_where(n[0] == 0.0, _unit(_aim(n, n[2], arc)))
 	)
 	above.about_special()
 
@@ -136,8 +137,16 @@ static func _aim(n: PackedFloat64Array, gravity: float, arc: float) -> PackedFlo
 
 static func _unit(v: PackedFloat64Array) -> PackedFloat64Array:
 	var length := sqrt(v[0] * v[0] + v[1] * v[1])
-	return [v[0] / length, v[1] / length] if length > 0.0 else v
+	if length == 0.0:
+		return v
+	return [v[0] / length, v[1] / length]
 
 
 static func _nan_for_none(v: PackedFloat64Array) -> PackedFloat64Array:
-	return [NAN, NAN] if v[0] == 0.0 and v[1] == 0.0 else v
+	return _nan_where(v[0] == 0.0 and v[1] == 0.0, v)
+
+
+static func _nan_where(is_wrong: bool, v: PackedFloat64Array) -> PackedFloat64Array:
+	if is_wrong:
+		return [NAN, NAN]
+	return v
