@@ -38,6 +38,36 @@ static func ways(
 	return BankSearch.new(start, target, radius, bounciness, walls).ways(bounces)
 
 
+## The image of a target as a slide writes it: T' = T - (1 + 1/C) ((T - o)·n - r) n, with a point o
+## of the wall and its normal n on the side of [param start].
+static func image_by_the_slide(
+	start: Vec2, target: Vec2, radius: float, bounciness: float, wall: LineSegment
+) -> Vec2:
+	var normal := wall.normal()
+	if normal.dot(start.minus(wall.start)) < 0.0:
+		normal = normal.negated()
+	var height := normal.dot(target.minus(wall.start)) - radius
+	return target.minus(normal.scaled((1.0 + 1.0 / bounciness) * height))
+
+
+## The same as [method first] by the formula of the slide alone: the way to the nearest image. It
+## does not look whether the ball meets the walls between their ends, in this order, and nothing
+## before: with one wall that is long enough it is right.
+static func first_by_the_slide(
+	start: Vec2,
+	target: Vec2,
+	radius: float,
+	bounciness: float,
+	walls: Array[LineSegment],
+	bounces: int
+) -> BankWay:
+	if not can_bounce(bounciness, bounces):
+		return BankWay.new()
+	var way := BankWay.new()
+	way.images = [target.copy()]
+	return _nearest_image(start, way, radius, bounciness, walls, bounces)
+
+
 ## Whether a ball can be aimed over walls with this C, above 0 and at most 1, and so many bounces,
 ## 0 or more. Else it is an error.
 static func can_bounce(bounciness: float, bounces: int) -> bool:
@@ -48,3 +78,35 @@ static func can_bounce(bounciness: float, bounces: int) -> bool:
 	else:
 		return true
 	return false
+
+
+# Mirrors the first image of [param way] in each wall but the one that it was mirrored in last.
+static func _nearest_image(
+	start: Vec2,
+	way: BankWay,
+	radius: float,
+	bounciness: float,
+	walls: Array[LineSegment],
+	bounces: int
+) -> BankWay:
+	var best := BankWay.new()
+	if bounces == 0:
+		best.hit = true
+		best.outcome = BankWay.Outcome.HIT
+		best.direction = way.images[0].minus(start).normalized()
+		best.distance = way.images[0].distance_to(start)
+		best.images = way.images
+		best.walls = way.walls
+		return best
+	for wall in walls.size():
+		if way.walls and way.walls[0] == wall:
+			continue
+		var longer := BankWay.new()
+		var image := image_by_the_slide(start, way.images[0], radius, bounciness, walls[wall])
+		longer.images = way.images.duplicate()
+		longer.images.push_front(image)
+		longer.walls = PackedInt32Array([wall]) + way.walls
+		var found := _nearest_image(start, longer, radius, bounciness, walls, bounces - 1)
+		if found.distance < best.distance:
+			best = found
+	return best

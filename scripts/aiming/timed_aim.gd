@@ -66,6 +66,39 @@ static func at_circle(
 	return _earliest(shots)
 
 
+## The same as [method at_line] by the formulas of the slide, without gravity: the flight is
+## (P × v) / (W × v), and the moment to fire is (P × (W - v)) / (W × v). Where both ways are nearly
+## parallel the digits of W × v cancel, and both times lose as many.
+static func at_line_by_the_slide(
+	muzzle: Vec2, bullet: Vec2, target: Vec2, velocity: Vec2
+) -> TimedShot:
+	var p := target.minus(muzzle)
+	var across := bullet.cross(velocity)
+	if across == 0.0:
+		return TimedShot.miss(TimedShot.Outcome.PARALLEL)
+	var fire := p.cross(bullet.minus(velocity)) / across
+	return _earliest([TimedShot.at(fire, p.cross(velocity) / across)])
+
+
+## The same as [method at_circle] by the formulas of the slide, without gravity: the quadratic
+## formula (-b ± sqrt(b² - a c)) / a for the flights, and the angle there for the moment. Where the
+## bullet grazes the circle, and where it starts close to it, the digits cancel.
+static func at_circle_by_the_slide(
+	muzzle: Vec2, bullet: Vec2, centre: Vec2, radius: float, phase: float, turn: float
+) -> TimedShot:
+	var from := muzzle.minus(centre)
+	var a := bullet.length_squared()
+	var b := from.dot(bullet)
+	var root := sqrt(b * b - a * (from.length_squared() - radius * radius))
+	var shots: Array[TimedShot] = []
+	for side: float in [-1.0, 1.0]:
+		var flight := (-b + side * root) / a
+		var there := from.plus(bullet.scaled(flight))
+		var met := (there.angle_radians() - phase) / turn
+		shots.append(TimedShot.at(fposmod(met - flight, TAU / absf(turn)), flight))
+	return _earliest(shots)
+
+
 ## Half of the time, in seconds, within which a shot at a target on a line still hits where bullet
 ## and target have [param radius] together, without gravity: R |W - v| / |v × W|. INF where both
 ## ways are parallel.

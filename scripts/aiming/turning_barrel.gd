@@ -2,12 +2,15 @@ class_name TurningBarrel
 extends RefCounted
 ## Waits for the moment at which a barrel that turns all the time points ahead of a target as it
 ## should, without gravity.
+##
+## Seen from the target, a bullet that is fired now flies with w = s u - v, and the muzzle is at -P.
+## It hits where w × P = 0 while w · P is above 0. How much the slope of w × P can change is known;
+## so a step in which it has no zero, or only one, is told for certain, and no zero is missed.
 
-# Between two looks neither the barrel nor the direction to aim at turns by more than this, in
-# radians: else a crossing could be missed.
-const _LARGEST_TURN := 0.3
 const _FIRST_STEP := 1.0 / 64.0
-const _SHORTEST_STEP := 1e-12
+# As a share of the time from the first moment, or of a second. In a shorter step all is rounding:
+# a zero that only touches is found, or not, as that has it.
+const _SHORTEST_STEP := 1e-10
 
 var _muzzle: Vec2
 var _angle: float
@@ -32,26 +35,27 @@ func _init(muzzle: Vec2, angle: float, turn: float, speed: float, target: AimTar
 func first(longest: float = TimedAim.LONGEST) -> TimedShot:
 	if not _can_always_aim():
 		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
+	if _ahead(0.0) == 0.0:
+		return _shot(0.0)
 	var step := _FIRST_STEP
 	var time := 0.0
-	var ahead := _ahead(time)
-	if ahead == 0.0:
-		return _shot(time)
 	while time < longest:
-		var next := minf(time + step, longest)
-		var next_ahead := _ahead(next)
-		var change := absf(Turn.shortest(ahead, next_ahead))
-		var turned := absf(_turn) * (next - time)
-		if maxf(change, turned) > _LARGEST_TURN and step > _SHORTEST_STEP:
+		var half := 0.5 * minf(step, longest - time)
+		var middle := time + half
+		var end := middle + half
+		var most := _most_bend(time, end) * half
+		var slope := absf(_slope(middle))
+		var is_short := step < _SHORTEST_STEP * (1.0 + time)
+		var has_none := absf(_beside(middle)) > (slope + 0.5 * most) * half
+		if not (has_none or slope > most or is_short):
 			step *= 0.5
 			continue
-		# Far from 0 a change of sign is the one from half a turn to minus half a turn.
-		if (ahead < 0.0) != (next_ahead < 0.0) and absf(ahead) < 1.0:
-			return _shot(_bisected(time, next, ahead < 0.0))
-		if maxf(change, turned) < 0.5 * _LARGEST_TURN:
-			step *= 1.5
-		time = next
-		ahead = next_ahead
+		if not has_none and (_beside(time) < 0.0) != (_beside(end) < 0.0):
+			var zero := _bisected(time, end, _beside(time) < 0.0)
+			if _bullet(zero).dot(_place(zero)) > 0.0:
+				return _shot(zero)
+		time = end
+		step *= 2.0
 	return TimedShot.miss(TimedShot.Outcome.NOT_IN_TIME)
 
 
@@ -77,16 +81,47 @@ func _ahead(time: float) -> float:
 	return Turn.shortest(_angle + _turn * time, wanted)
 
 
+# The target's place, as the muzzle sees it.
+func _place(time: float) -> Vec2:
+	return _target.position_after(time).minus(_muzzle)
+
+
+# The velocity of a bullet that is fired then, as the target sees it.
+func _bullet(time: float) -> Vec2:
+	return _along(time).scaled(_speed).minus(_target.velocity)
+
+
+func _along(time: float) -> Vec2:
+	return Vec2.unit_radians(_angle + _turn * time)
+
+
+# w × P: 0 where the bullet's way leads through the target.
+func _beside(time: float) -> float:
+	return _bullet(time).cross(_place(time))
+
+
+# How fast it changes.
+func _slope(time: float) -> float:
+	var along := _along(time)
+	return _speed * (along.cross(_target.velocity) - _turn * along.dot(_place(time)))
+
+
+# How fast the slope changes at most between two times. The target is farthest at one of them.
+func _most_bend(from: float, to: float) -> float:
+	var farthest := maxf(_place(from).length(), _place(to).length())
+	return _speed * absf(_turn) * (absf(_turn) * farthest + 2.0 * _target.velocity.length())
+
+
 func _bisected(left: float, right: float, rises: bool) -> float:
 	while true:
 		var middle := left + 0.5 * (right - left)
 		if middle <= left or middle >= right:
 			break
-		if (_ahead(middle) < 0.0) == rises:
+		if (_beside(middle) < 0.0) == rises:
 			left = middle
 		else:
 			right = middle
-	return left if absf(_ahead(left)) < absf(_ahead(right)) else right
+	return left if absf(_beside(left)) < absf(_beside(right)) else right
 
 
 func _shot(time: float) -> TimedShot:

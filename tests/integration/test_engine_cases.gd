@@ -87,6 +87,7 @@ func test_every_problem_has_a_case_of_the_engine() -> void:
 	for problem in ReportProblems.all():
 		for is_quick: bool in [true, false]:
 			var cases := EngineCases.of(problem.id, is_quick, self)
+			cases.append_array(EngineAimCases.of(problem.id, is_quick))
 			assert_gt(cases.size(), 0, problem.id)
 			for case in cases:
 				assert_eq([case.problem, case.is_baseline], [problem.id, true])

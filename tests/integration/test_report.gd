@@ -43,7 +43,7 @@ func test_a_file_that_is_no_table_is_refused() -> void:
 
 
 func test_what_it_does_not_know_is_refused_with_one_line() -> void:
-	for argument: String in ["--fast", "quick", "--problems=8", "--problems=", "--problems=1;2"]:
+	for argument: String in ["--fast", "quick", "--problems=12", "--problems=", "--problems=1;2"]:
 		var lab := LabCommand.run("res://", ["report", argument])
 		assert_eq(lab.exit_code, 2, argument)
 		assert_string_contains(lab.output, "'%s'" % argument)
@@ -66,6 +66,7 @@ func test_no_two_cases_of_a_problem_are_named_alike() -> void:
 		var names: Dictionary[String, bool] = {}
 		var cases := problem.cases(false) + problem.ceilings()
 		cases.append_array(EngineCases.of(problem.id, false, self))
+		cases.append_array(EngineAimCases.of(problem.id, false))
 		for case in cases:
 			names["%s, %s" % [case.method, case.setting]] = true
 		assert_eq(names.size(), cases.size(), problem.id)

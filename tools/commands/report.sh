@@ -36,8 +36,8 @@ while [ $# -gt 0 ]; do
 		--libraries | --peers) with_libraries=1 ;;
 		--quick) quick=$argument ;;
 		--problems=*)
-			[[ $argument =~ ^--problems=[1-7](,[1-7])*$ ]] ||
-				die 2 "'$argument' is no list of problems; 1 to 7 are possible, such as --problems=1,7"
+			[[ $argument =~ ^--problems=([1-9]|1[01])(,([1-9]|1[01]))*$ ]] ||
+				die 2 "'$argument' is no list of problems; 1 to 11 are possible, such as --problems=1,11"
 			problems=$argument
 			;;
 		*) die 2 "there is no option '$argument'; $usage" ;;

@@ -46,7 +46,7 @@ func _try(run: FuzzRun) -> void:
 			continue
 		said = Time.get_ticks_msec()
 		print("%d worlds tried, %d of them with a problem" % [run.tried, run.count()])
-	print("\n%s" % run.counts_text())
+	print("\n%s\n%s" % [run.figures_text(), run.counts_text()])
 	print("seed %d: %d worlds tried, %d with a problem" % [_seed, run.tried, run.count()])
 	quit(mini(run.count(), 1))
 

@@ -9,6 +9,7 @@ const RUNS := 5
 static func measure(problem: ReportProblem, is_quick: bool, host: Node) -> Array[Measurement]:
 	var cases := problem.cases(is_quick) + problem.ceilings()
 	cases.append_array(EngineCases.of(problem.id, is_quick, host))
+	cases.append_array(EngineAimCases.of(problem.id, is_quick))
 	var start := Time.get_ticks_msec()
 	for run: int in RUNS:
 		for case: MeasuredCase in cases:

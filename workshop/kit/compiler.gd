@@ -17,6 +17,9 @@ const _KEY_FILES: PackedStringArray = [
 	"res://scripts/collision/cap_impact.gd",
 	"res://scripts/collision/point_of_impact.gd",
 	"res://scripts/collision/straight_impact_finder.gd",
+	"res://scripts/aiming/lead_aim.gd",
+	"res://scripts/aiming/ballistic_aim.gd",
+	"res://scripts/aiming/bank_aim.gd",
 ]
 
 static var _shapes_of_key: Dictionary[String, bool] = {}

@@ -1,9 +1,12 @@
 class_name WorkshopIndex
 extends RefCounted
-## All exercises of the workshop in their order, which is that of the lecture.
+## All exercises of the workshop in their order, which is that of the lecture; those of aiming come
+## after the student's own tests.
 
 ## The number of the exercise in which the student writes tests of his own. It has no methods.
 const TESTS := 12
+## The number of the last exercise.
+const LAST := 15
 
 static var _made: Array[WorkshopExercise] = []
 static var _language := ""
@@ -27,6 +30,9 @@ static func exercises() -> Array[WorkshopExercise]:
 			WorkshopManyLines.exercise(),
 			WorkshopSegmentImpact.exercise(),
 			WorkshopExercise.new(TESTS, LabText.translate("Your own tests"), ""),
+			WorkshopLeadShot.exercise(),
+			WorkshopBallisticShot.exercise(),
+			WorkshopBankShot.exercise(),
 		]
 	return _made
 

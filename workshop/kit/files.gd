@@ -10,6 +10,7 @@ const CLASSES: Dictionary[String, String] = {
 	"my_line.gd": "MyLine",
 	"my_impact.gd": "MyImpact",
 	"my_bounce.gd": "MyBounce",
+	"my_aim.gd": "MyAim",
 }
 ## What the names of his tests begin with.
 const TEST_PREFIX := "test_my_"

@@ -3,8 +3,8 @@ extends RefCounted
 ## Several files of a student as one text: each becomes a class inside it, under another name,
 ## because the editor may know the class by its own.
 
-const _HIS_NAMES := r"\bMy(Vec2|Line|Impact|Bounce)\b"
-const _NAMES_INSIDE := r"\bJudged(Vec2|Line|Impact|Bounce)\b"
+const _HIS_NAMES := r"\bMy(Vec2|Line|Impact|Bounce|Aim)\b"
+const _NAMES_INSIDE := r"\bJudged(Vec2|Line|Impact|Bounce|Aim)\b"
 const _CLASS_NAME := r"(?m)^class_name[ \t]+\w+"
 
 ## The whole text.

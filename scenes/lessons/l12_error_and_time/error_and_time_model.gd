@@ -7,7 +7,7 @@ extends LessonModel
 const _FIRST_SITUATIONS: Dictionary[String, int] = {"digits_of_pi": 2}
 
 ## The problems that can be chosen, in their order.
-var problems := ReportProblems.all()
+var problems := LiveProblems.all()
 ## The place of the one that is chosen: at first the ball in a box, where there is most to see.
 var problem_place := 1
 ## The place of the situation of this problem that is chosen.

@@ -99,6 +99,13 @@ static func _excellent() -> Array[RubricLine]:
 				]
 			)
 		),
+		_aiming(LabText.translate("Aiming: ahead of a target that moves"), 13, "lead"),
+		_aiming(
+			LabText.translate("Aiming: under gravity, by the flat and the high arc"),
+			14,
+			"ballistic"
+		),
+		_aiming(LabText.translate("Aiming: over one line, and over two"), 15, "bank"),
 		RubricLine.new(_EXCELLENT, normal, "reflection", [9], RubricLine.Proof.EXCELLENT).tested_by(
 			["tests/unit/test_vec2_reflection.gd"]
 		),
@@ -116,6 +123,14 @@ static func _excellent() -> Array[RubricLine]:
 	]
 
 
+# The lesson is that of the exercise; [param kind] is in the name of the test.
+static func _aiming(text: String, exercise: int, kind: String) -> RubricLine:
+	var lesson := WorkshopIndex.exercise(exercise).lesson
+	return RubricLine.new(_EXCELLENT, text, lesson, [exercise]).tested_by(
+		["tests/unit/aiming/test_%s_aim.gd" % kind]
+	)
+
+
 # What the rubric asks for beyond the exercises.
 static func _in_own_project() -> Array[RubricLine]:
 	return [
@@ -124,13 +139,13 @@ static func _in_own_project() -> Array[RubricLine]:
 		),
 		(
 			_of_own_project(
-				LabText.translate("Aiming: at a target, ahead of a moving one, with gravity"),
+				LabText.translate("Aiming: in a direction, at a target, at the right moment"),
 				"dot_product"
 			)
 			. tested_by(
 				[
-					"tests/unit/aiming/test_lead_aim.gd",
-					"tests/unit/aiming/test_ballistic_aim.gd",
+					"tests/unit/aiming/test_turn.gd",
+					"tests/unit/aiming/test_timed_aim.gd",
 				]
 			)
 		),

@@ -57,7 +57,7 @@ func _show_report(report: WorkshopReport) -> void:
 	else:
 		var right := _count_right(report)
 		var mark := report.mark()
-		_code.show_progress(tr("%d of %d right") % [right, WorkshopIndex.TESTS], right > 0)
+		_code.show_progress(tr("%d of %d right") % [right, WorkshopIndex.LAST], right > 0)
 		var reached := tr("Reached: %s") % WorkshopReport.name_of(mark)
 		_rubric.show_progress(reached, mark != WorkshopReport.Mark.NOT_YET)
 	(_code.get_parent() as LessonShelf).queue_sort()
@@ -66,6 +66,6 @@ func _show_report(report: WorkshopReport) -> void:
 # Without exercise 0, which is optional.
 static func _count_right(report: WorkshopReport) -> int:
 	var right := 0
-	for exercise in range(1, WorkshopIndex.TESTS + 1):
+	for exercise in range(1, WorkshopIndex.LAST + 1):
 		right += int(report.is_right(exercise))
 	return right

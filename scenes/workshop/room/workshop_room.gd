@@ -40,7 +40,7 @@ func _lead_on(report: WorkshopReport) -> void:
 	if _is_through or not report.is_complete:
 		return
 	_is_through = true
-	var next := mini(report.first_open(), WorkshopIndex.TESTS)
+	var next := mini(report.first_open(), WorkshopIndex.LAST)
 	var lesson := LessonIndex.find(WorkshopIndex.exercise(next).lesson)
 	if lesson:
 		lesson_wanted.emit(lesson)

@@ -75,11 +75,12 @@ static func _without_answer(rows: Array[Measurement]) -> String:
 	var tunings: Dictionary[String, PackedStringArray] = {}
 	for row in rows:
 		if not row.has_answer():
-			var key := "%s (%%s): %s" % [row.method.replace("%", "%%"), row.note.replace("%", "%%")]
+			var key := row.method + "\n" + row.note
 			var known: PackedStringArray = tunings.get(key, PackedStringArray())
 			known.append(row.tuning)
 			tunings[key] = known
 	var texts: PackedStringArray = []
 	for key in tunings:
-		texts.append(key % ", ".join(tunings[key]))
+		var tuned := ", ".join(tunings[key])
+		texts.append(key.replace("\n", " (%s): " % tuned if tuned else ": "))
 	return " No answer: %s." % "; ".join(texts) if texts else ""

@@ -10,6 +10,7 @@ const _ALWAYS: PackedStringArray = [
 	"right_untyped",
 	"right_step",
 	"right_segment",
+	"right_aim",
 	"hostile_loop",
 	"hostile_recursion",
 	"hostile_static_kill",

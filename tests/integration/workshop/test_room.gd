@@ -70,25 +70,25 @@ func test_where_nothing_can_be_judged_there_are_no_cards_and_the_workshop_says_w
 func test_the_last_cards_say_how_far_the_student_is() -> void:
 	await open_start_screen()
 	await judged()
-	assert_true(Screen.reads(_cards()[0], "0 of 12 right"))
+	assert_true(Screen.reads(_cards()[0], "0 of 15 right"))
 	assert_true(Screen.reads(_cards()[1], "Reached: not yet sufficient"))
 	write_first_two()
 	look_again()
 	await judged()
-	assert_true(Screen.reads(_cards()[0], "✓ 2 of 12 right"))
+	assert_true(Screen.reads(_cards()[0], "✓ 2 of 15 right"))
 	assert_string_contains(_cards()[0].accessibility_name, "Your own code. Write the next method")
-	assert_string_ends_with(_cards()[0].accessibility_name, ". 2 of 12 right")
+	assert_string_ends_with(_cards()[0].accessibility_name, ". 2 of 15 right")
 
 
 func test_the_cards_follow_each_save() -> void:
 	write_first_two()
 	await open_start_screen()
 	await judged()
-	assert_true(Screen.reads(_cards()[0], "2 of 12 right"))
+	assert_true(Screen.reads(_cards()[0], "2 of 15 right"))
 	write("normal", "return null")
 	look_again()
 	await judged()
-	assert_true(Screen.reads(_cards()[0], "1 of 12 right"))
+	assert_true(Screen.reads(_cards()[0], "1 of 15 right"))
 
 
 func test_a_click_a_key_and_enter_open_the_first_card() -> void:

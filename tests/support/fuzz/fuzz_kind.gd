@@ -18,6 +18,11 @@ var method := SteppingMethods.Method.EVENT_WORLD
 @abstract func problem_of(world: FuzzWorld) -> String
 
 
+## One line on all worlds that were judged so far; "" for none.
+func figures() -> String:
+	return ""
+
+
 ## A problem without its numbers: two worlds with the same sort show, as a rule, one mistake.
 static func sort_of(problem: String) -> String:
 	return RegEx.create_from_string("-?(inf|nan|\\d[\\d.]*(e[+-]?\\d+)?)").sub(problem, "#", true)

@@ -34,6 +34,13 @@ static func all_kinds() -> Array[FuzzKind]:
 		SteppedEditKind.new(),
 		FastPathKind.new(),
 		PileKind.new(),
+		LeadShotKind.new(),
+		BallisticShotKind.new(),
+		MovingShotKind.new(),
+		BankShotKind.new(),
+		LineTimingKind.new(),
+		CircleTimingKind.new(),
+		TurningTimingKind.new(),
 	]
 
 
@@ -71,6 +78,15 @@ func count() -> int:
 	for sort: String in _counts:
 		sum += _counts[sort]
 	return sum
+
+
+## What the kinds have measured, a line each; "" where none has.
+func figures_text() -> String:
+	var parts: PackedStringArray = []
+	for kind: FuzzKind in _kinds:
+		if kind.figures():
+			parts.append(kind.figures())
+	return "\n".join(parts)
 
 
 ## How many had each sort of problem, a line each.

@@ -27,7 +27,7 @@ func _shot(row: int) -> TimedShot:
 	var muzzle := _at(row, "s")
 	var speed := _table.at(row, "speed")
 	var angle := _table.at(row, "angle")
-	var bullet := Vec2.unit_radians(angle).scaled(speed)
+	var bullet := _bullet(row)
 	var rho := _table.at(row, "rho")
 	if _table.at(row, "turn") != 0.0:
 		var target := AimTarget.new(_at(row, "t"), _at(row, "v"))
@@ -51,6 +51,73 @@ func test_the_slide_s_numbers() -> void:
 	assert_almost_eq(shot.fire, 2.0, 1e-15)
 	assert_almost_eq(shot.flight, 1.0, 1e-15)
 	assert_almost_eq(TimedAim.window(bullet, velocity, 10), 0.1118, 1e-4)
+	shot = TimedAim.at_line_by_the_slide(muzzle, bullet, Vec2.new(0, 200), velocity)
+	assert_almost_eq(shot.fire, 2.0, 1e-15)
+	assert_almost_eq(shot.flight, 1.0, 1e-15)
+
+
+func test_a_circle_by_the_slide() -> void:
+	# The bullet comes to (0, -100) after half a second; the target is there after a whole one.
+	for solver: Callable in [
+		TimedAim.at_circle_by_the_slide,
+		func(
+			muzzle: Vec2, bullet: Vec2, centre: Vec2, radius: float, phase: float, turn: float
+		) -> TimedShot:
+			return TimedAim.at_circle(muzzle, bullet, Vec2.zero(), centre, radius, phase, turn)
+	]:
+		var muzzle := Vec2.new(0, -200)
+		var bullet := Vec2.new(0, 200)
+		var shot: TimedShot = solver.call(muzzle, bullet, Vec2.zero(), 100.0, 0.0, -PI / 2)
+		assert_almost_eq(shot.fire, 0.5, 1e-14)
+		assert_almost_eq(shot.flight, 0.5, 1e-14)
+
+
+func test_by_the_slide_the_digits_cancel_where_the_ways_hardly_cross() -> void:
+	var by_the_slide := 0.0
+	var careful := 0.0
+	for row: int in _table.size():
+		if _table.family(row) in ["line", "slow-crossing"] and _table.at(row, "hit") == 1.0:
+			var bullet := _bullet(row)
+			var muzzle := _at(row, "s")
+			var shot := TimedAim.at_line_by_the_slide(muzzle, bullet, _at(row, "t"), _at(row, "v"))
+			by_the_slide = maxf(by_the_slide, _table.error(row, shot.fire, "fire"))
+			careful = maxf(careful, _table.error(row, _shot(row).fire, "fire"))
+	assert_gt(by_the_slide, 20.0)
+	assert_lt(careful, 1.0)
+
+
+func test_by_the_slide_the_digits_cancel_where_the_bullet_grazes_the_circle() -> void:
+	var by_the_slide := 0.0
+	var careful := 0.0
+	for row: int in _table.size():
+		if _table.family(row) == "circle" and _table.at(row, "hit") == 1.0:
+			var phase := _table.at(row, "alpha")
+			var shot := TimedAim.at_circle_by_the_slide(
+				_at(row, "s"),
+				_bullet(row),
+				_at(row, "t"),
+				_table.at(row, "rho"),
+				phase,
+				_table.at(row, "omega")
+			)
+			by_the_slide = maxf(by_the_slide, _flight_error(row, shot))
+			careful = maxf(careful, _flight_error(row, _shot(row)))
+	assert_gt(by_the_slide, 5.0)
+	assert_lt(careful, 1.0)
+
+
+func test_by_the_slide_parallel_ways_are_told() -> void:
+	var velocity := Vec2.new(100, 0)
+	var shot := TimedAim.at_line_by_the_slide(Vec2.zero(), velocity, Vec2.new(0, 20), velocity)
+	assert_eq(shot.outcome, TimedShot.Outcome.PARALLEL)
+
+
+func _bullet(row: int) -> Vec2:
+	return Vec2.unit_radians(_table.at(row, "angle")).scaled(_table.at(row, "speed"))
+
+
+func _flight_error(row: int, shot: TimedShot) -> float:
+	return _table.error(row, shot.flight, "flight", "condition_flight")
 
 
 func test_parallel_ways_are_told() -> void:
@@ -75,6 +142,17 @@ func test_a_barrel_that_points_right_already_fires_at_once() -> void:
 			var shot := TurningBarrel.new(Vec2.zero(), angle, turn, 50, target).first()
 			assert_almost_eq(shot.fire, 0.0, 1e-15)
 			assert_almost_eq(shot.flight, 2.0, 1e-15)
+
+
+func test_a_barrel_fires_although_the_lead_overtakes_it_only_for_a_moment() -> void:
+	# The direction to aim at passes the barrel after 1.36 s and falls back behind it after 1.5 s.
+	var bullet := Vec2.new(580, 116)
+	var target := AimTarget.new(Vec2.new(-27, -212), Vec2.new(296, 332.7))
+	var muzzle := Vec2.new(250, 200)
+	var barrel := TurningBarrel.new(
+		muzzle, bullet.angle_radians(), TAU / 16.9, bullet.length(), target
+	)
+	assert_between(barrel.first().fire, 1.35, 1.37)
 
 
 func test_a_target_that_no_barrel_can_follow_is_an_error() -> void:

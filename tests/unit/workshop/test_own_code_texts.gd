@@ -72,11 +72,13 @@ func test_the_way_from_good_to_excellent() -> void:
 	report.tests = WorkshopTestsVerdict.new()
 	report.tests.found = ["a: a", "a: b", "a: c", "a: d"]
 	report.tests.missed = ["a: e"]
-	var missing := "exercise 11, tests that find all mistakes, exercise 9 with any normal"
+	var missing := "exercise 11, exercise 13, exercise 14, exercise 15"
+	missing += ", tests that find all mistakes, exercise 9 with any normal"
 	assert_eq(OwnCodeTexts.mark(report), "Mark: good. For excellent: %s." % missing)
 	report.tests.missed.clear()
 	report.verdicts[9].is_excellent = true
-	report.verdicts[11].kind = WorkshopVerdict.Kind.RIGHT
+	for exercise: int in [11, 13, 14, 15]:
+		report.verdicts[exercise].kind = WorkshopVerdict.Kind.RIGHT
 	assert_eq(OwnCodeTexts.mark(report), "Mark: excellent.")
 
 

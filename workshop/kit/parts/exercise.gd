@@ -2,7 +2,7 @@ class_name WorkshopExercise
 extends RefCounted
 ## One exercise of the workshop: one or two methods, and the lesson where it belongs.
 
-## Its number, 0 to 11; 12 are the student's own tests.
+## Its number, 0 to 15; 12 are the student's own tests.
 var number: int
 ## A few words, translated.
 var title: String

@@ -156,7 +156,7 @@ func test_what_is_said_beside_a_measurement_is_known_to_the_translation() -> voi
 
 func test_names_of_problems_are_no_texts() -> void:
 	var known := CollectTexts.messages()
-	for problem in ReportProblems.all():
+	for problem in LiveProblems.all():
 		assert_does_not_have(known, problem.id)
 
 
@@ -192,7 +192,7 @@ func _all_names() -> PackedStringArray:
 	var host := Node.new()
 	add_child_autofree(host)
 	var names: PackedStringArray = []
-	for problem in ReportProblems.all():
+	for problem in LiveProblems.all():
 		names.append_array([problem.run_time_axis, problem.error_axis])
 		assert_ne(MeasuredTexts.title(problem.id), problem.id, "a title for " + problem.id)
 		for case in problem.cases(true) + EngineCases.of(problem.id, true, host):

@@ -44,6 +44,9 @@ func test_those_without_an_answer_are_named_with_their_settings() -> void:
 	assert_string_contains(
 		SituationText.of("", rows, "own"), " No answer: lost (60 Hz, 240 Hz): it has left."
 	)
+	rows.append(_row("not tuned", "", false, 1.0, Measurement.NO_ANSWER))
+	rows[-1].note = "100 % lost"
+	assert_string_contains(SituationText.of("", rows, "own"), "; not tuned: 100 % lost.")
 
 
 func test_the_text_has_a_section_for_each_problem_that_was_measured() -> void:

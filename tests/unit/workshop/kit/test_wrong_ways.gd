@@ -27,7 +27,7 @@ func test_ways_that_agree_are_found() -> void:
 
 
 func test_every_method_has_probes_and_a_right_answer_to_each() -> void:
-	assert_eq(WorkshopIndex.tasks().size(), 14)
+	assert_eq(WorkshopIndex.tasks().size(), 20)
 	for task in WorkshopIndex.tasks():
 		assert_gt(task.probes.size(), 2, task.method)
 		for probe in task.probes:
@@ -84,3 +84,28 @@ func _agree(task: WorkshopTask, way: WorkshopWay, other: WorkshopWay) -> bool:
 		if not probe.agrees(WorkshopTaskJudge.answer_of(way, probe), wanted):
 			return false
 	return true
+
+
+func test_the_answers_to_the_probes_of_aiming_hit() -> void:
+	for task in WorkshopIndex.exercise(15).tasks:
+		for probe in task.probes:
+			var n := probe.numbers
+			var is_twice := task.method == "bank_twice"
+			var walls: Array[LineSegment] = [_line(n, 5 if is_twice else 6)]
+			if is_twice:
+				walls.append(_line(n, 9))
+			var way := BankAim.first(
+				Vec2.new(n[0], n[1]),
+				Vec2.new(n[2], n[3]),
+				n[4],
+				1.0 if is_twice else n[5],
+				walls,
+				walls.size()
+			)
+			var direction := WorkshopCall.right_answer(task, probe)
+			assert_vec2(way.direction, Vec2.new(direction[0], direction[1]), 1e-12, probe.title)
+			assert_eq(way.walls, PackedInt32Array(range(walls.size())), probe.title)
+
+
+func _line(n: PackedFloat64Array, at: int) -> LineSegment:
+	return LineSegment.new(Vec2.new(n[at], n[at + 1]), Vec2.new(n[at + 2], n[at + 3]))
