@@ -86,11 +86,13 @@ func _keep_off(part: BoardPart) -> void:
 		_keep_off_arrow(part as Arrow)
 	elif part is DimensionLine:
 		var dimension := part as DimensionLine
-		_points.append(dimension.label_pixel())
+		_keep_off_name(dimension.label_pixel())
 		_points.append(_board.to_screen(Vec2.from_vector2(dimension.from)))
 		_points.append(_board.to_screen(Vec2.from_vector2(dimension.to)))
 	elif part is BallView:
 		_keep_off_ball(part as BallView)
+	elif part is AngleArc and (part as AngleArc).shows_value:
+		_keep_off_name((part as AngleArc).label_pixel())
 
 
 func _keep_off_arrow(arrow: Arrow) -> void:
@@ -99,8 +101,7 @@ func _keep_off_arrow(arrow: Arrow) -> void:
 	for i in _POINTS + 1:
 		_points.append(tail.lerp(head, float(i) / _POINTS))
 	if arrow.label:
-		for beside: float in [-_HALF_NAME, 0.0, _HALF_NAME]:
-			_points.append(arrow.label_pixel() + Vector2(beside, 0.0))
+		_keep_off_name(arrow.label_pixel())
 
 
 func _keep_off_ball(ball: BallView) -> void:
@@ -109,3 +110,8 @@ func _keep_off_ball(ball: BallView) -> void:
 	for i in _POINTS:
 		var out := Vector2.from_angle(TAU * i / _POINTS)
 		_points.append(middle + out * ball.radius * _board.pixels_per_unit)
+
+
+func _keep_off_name(middle: Vector2) -> void:
+	for beside: float in [-_HALF_NAME, 0.0, _HALF_NAME]:
+		_points.append(middle + Vector2(beside, 0.0))

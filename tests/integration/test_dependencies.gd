@@ -13,6 +13,7 @@ const LAYERS: PackedStringArray = [
 	"res://scripts/numbers",
 	"res://scripts/aiming",
 	"res://scripts/collision",
+	"res://scripts/friction",
 	"res://scripts/world/segments",
 	"res://scripts/world/event",
 	"res://scripts/world/stepped",

@@ -59,5 +59,12 @@ func time_error(row: int, time: float) -> float:
 ## lengths of velocity, position and what is touched.
 func normal_error(row: int, normal: Vec2, radius: float, lengths: PackedFloat64Array) -> float:
 	var wanted := Vec2.new(at(row, "nx"), at(row, "ny"))
-	var scale := lengths[0] * at(row, "condition") + lengths[1] + lengths[2]
+	return normal_error_by(at(row, "condition"), normal, wanted, radius, lengths)
+
+
+## The same for a table of another form, with the condition of the time.
+static func normal_error_by(
+	condition: float, normal: Vec2, wanted: Vec2, radius: float, lengths: PackedFloat64Array
+) -> float:
+	var scale := lengths[0] * condition + lengths[1] + lengths[2]
 	return normal.distance_to(wanted) / (EPSILON * (1.0 + scale / radius))

@@ -1,7 +1,8 @@
 class_name Layout
 ## What is wrong with how a screen is laid out: overlaps, parts cut off, texts that do not fit.
 ##
-## The board is left out: things lie on top of each other there on purpose.
+## The board is left out: things lie on top of each other there on purpose. Its texts are looked at
+## by [BoardTexts].
 
 ## Differences up to this many pixels come from rounding.
 const _TOLERANCE := 1.0
@@ -22,23 +23,29 @@ static func problems(screen: Control) -> PackedStringArray:
 	return found
 
 
-## The cards on a board that lie on each other or go beyond it. Cards are its own Controls, apart
-## from handles and from boards inside it.
+## The cards on a board that lie on each other or go beyond it.
 static func card_problems(board: Control) -> PackedStringArray:
 	var found: PackedStringArray = []
 	var room := Rect2(Vector2.ZERO, board.size)
-	var cards: Array[Control] = []
+	var all := cards(board)
+	for i: int in all.size():
+		if not _holds(room, all[i].get_rect()):
+			found.append("%s goes beyond the board" % all[i].name)
+		for j: int in i:
+			var common := all[i].get_rect().intersection(all[j].get_rect())
+			if minf(common.size.x, common.size.y) > _TOLERANCE:
+				found.append("%s lies on %s" % [all[i].name, all[j].name])
+	return found
+
+
+## The cards on a board that can be seen: its own Controls, apart from handles and from boards
+## inside it.
+static func cards(board: Control) -> Array[Control]:
+	var found: Array[Control] = []
 	for child: Node in board.get_children():
 		var is_card := child is Control and child is not Handle and child is not Board
 		if is_card and (child as Control).visible:
-			cards.append(child as Control)
-	for i: int in cards.size():
-		if not _holds(room, cards[i].get_rect()):
-			found.append("%s goes beyond the board" % cards[i].name)
-		for j: int in i:
-			var common := cards[i].get_rect().intersection(cards[j].get_rect())
-			if minf(common.size.x, common.size.y) > _TOLERANCE:
-				found.append("%s lies on %s" % [cards[i].name, cards[j].name])
+			found.append(child as Control)
 	return found
 
 

@@ -25,6 +25,7 @@ var smallest_text := INF
 var smallest_text_name := ""
 
 var _frame: LessonFrame
+var _texts := BoardTexts.new()
 
 
 ## Looks at the lesson that [param frame] has opened: at all its steps, or at the last one only,
@@ -39,7 +40,10 @@ func look_at(
 	var last := -1
 	while steps and steps.step > last:
 		last = steps.step
-		await _look("%s, step %d" % [where, last + 1])
+		var step := "%s, step %d" % [where, last + 1]
+		await _look(step)
+		for problem in _texts.covered_ones():
+			_note(problem, step)
 		steps.go_to(last + 1)
 	if state_count > 0:
 		await _look_at_states(where, state_count)
@@ -69,6 +73,9 @@ func _play(where: String) -> void:
 	var before := _places()
 	for i in FRAMES:
 		await _frame.get_tree().process_frame
+		# What has come to its end takes no more room than it needs.
+		if not transport.is_playing:
+			break
 		var now := _places()
 		for part: String in before:
 			var old: Rect2 = before[part]
@@ -97,6 +104,11 @@ func _places() -> Dictionary[String, Rect2]:
 
 func _look(where: String) -> void:
 	await _settle()
+	_texts.listen(_frame.lesson)
+	await _frame.get_tree().process_frame
+	_note_text(_texts.smallest() * _scale(_frame), "text on the board", where)
+	for problem in _texts.cut_off_ones():
+		_note(problem, where)
 	for problem in Layout.problems(_frame):
 		_note(problem, where)
 	for problem in Layout.card_problems(_frame.lesson):
@@ -106,9 +118,7 @@ func _look(where: String) -> void:
 
 ## Measures what is to be hit and read on [param screen].
 func measure(screen: Control, where: String) -> void:
-	var window := screen.get_window()
-	var density := DisplayServer.screen_get_scale(window.current_screen)
-	var scale := window.get_final_transform().get_scale().x / density
+	var scale := _scale(screen)
 	for control: Control in Screen.controls(screen):
 		var side := minf(control.size.x, control.size.y) * scale
 		var title := _kind_of(control)
@@ -119,11 +129,23 @@ func measure(screen: Control, where: String) -> void:
 			if side < SMALLEST_TARGET - 0.01:
 				_note("%s is a target of %.1f px" % [title, side], where)
 		var text := Layout.text_size(control) * scale
-		if text > 0.0 and text < smallest_text:
-			smallest_text = text
-			smallest_text_name = "%s in %s" % [title, where]
-		if text > 0.0 and text < SMALLEST_TEXT - 0.01:
-			_note("%s is a text of %.1f px" % [title, text], where)
+		if text > 0.0:
+			_note_text(text, title, where)
+
+
+func _note_text(text: float, title: String, where: String) -> void:
+	if text < smallest_text:
+		smallest_text = text
+		smallest_text_name = "%s in %s" % [title, where]
+	if text < SMALLEST_TEXT - 0.01:
+		_note("%s is a text of %.1f px" % [title, text], where)
+
+
+# Pixels of the window, as CSS counts them, in one of the drawing.
+static func _scale(screen: Control) -> float:
+	var window := screen.get_window()
+	var density := DisplayServer.screen_get_scale(window.current_screen)
+	return window.get_final_transform().get_scale().x / density
 
 
 # The same for every number in a formula, and for every preset.

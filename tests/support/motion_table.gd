@@ -33,6 +33,11 @@ func at(row: int, column: String) -> float:
 	return _numbers[row * _columns.size() + _places[column]]
 
 
+## Whether the table has that column.
+func has(column: String) -> bool:
+	return _places.has(column)
+
+
 ## The vector in two columns of a row, such as `sx` and `sy`.
 func vector(row: int, x_column: String, y_column: String) -> Vec2:
 	return Vec2.new(at(row, x_column), at(row, y_column))
@@ -54,3 +59,23 @@ func error(row: int, number: float, column: String, condition := "condition") ->
 ## The error of a direction, in the same sense.
 func aim_error(row: int, direction: Vec2, wanted: Vec2, condition := "condition_aim") -> float:
 	return direction.distance_to(wanted) / (ImpactTable.EPSILON * maxf(at(row, condition), 1.0))
+
+
+## The error of a velocity, in the same sense: with lengths.
+func velocity_error(row: int, velocity: Vec2, wanted: Vec2, condition: String) -> float:
+	var distance := velocity.distance_to(wanted)
+	if distance == 0.0:
+		return 0.0
+	return distance / (ImpactTable.EPSILON * maxf(at(row, condition), wanted.length()))
+
+
+## The error of the normal of an impact, as [ImpactTable] judges it; [param lengths] are those of
+## the relative velocity, the position and what is touched.
+func normal_error(row: int, normal: Vec2, radius: float, lengths: PackedFloat64Array) -> float:
+	var wanted := vector(row, "nx", "ny")
+	return ImpactTable.normal_error_by(at(row, "condition"), normal, wanted, radius, lengths)
+
+
+## Whether there is a hit in that row.
+func is_hit(row: int) -> bool:
+	return at(row, "hit") == 1.0

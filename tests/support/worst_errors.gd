@@ -16,6 +16,14 @@ func values() -> PackedFloat64Array:
 	return PackedFloat64Array(_worst.values())
 
 
+## The largest error of all families.
+func largest() -> float:
+	var most := 0.0
+	for error in values():
+		most = maxf(most, error)
+	return most
+
+
 ## One line: each family with its largest error.
 func _to_string() -> String:
 	var parts: PackedStringArray = []

@@ -65,7 +65,7 @@ func _lay_turned(model: ProjectionProofModel) -> void:
 	_turned_a.lay(origin, a)
 	_turned_b.lay(origin, b)
 	_turned_p.lay(origin, p)
-	_turned_p.keep_label_from(model.b if _p.visible else a)
+	_turned_p.keep_label_from(a)
 	_rejection.lay(p, a)
 	_right_angle.measure(p, b.negated(), a.minus(p))
 	_turned_p.visible = model.has_direction()

@@ -10,7 +10,7 @@ const _AWAY := 24.0
 const _FONT_SIZE := 24
 
 ## Where along the line the two signs are: 0 at its start, 1 at its end.
-@export_range(0.0, 1.0, 0.01) var share_of_signs := 0.94
+@export_range(0.0, 1.0, 0.01) var share_of_signs := 0.04
 
 @onready var _line: DraggableVector = %Line
 @onready var _from: Handle = %From

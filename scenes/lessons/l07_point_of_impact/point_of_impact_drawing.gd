@@ -99,7 +99,7 @@ func _side_of_new_name(model: PointOfImpactModel) -> Vec2:
 func _name_motion(model: PointOfImpactModel) -> void:
 	var share := 0.5
 	if model.touches():
-		share = 0.25 if model.fraction() > 0.5 else 0.75
+		share = 0.2 if model.fraction() > 0.5 else 0.8
 	var beside := model.motion().normal()
 	if beside.dot(_sideways(model)) > 0.0:
 		beside = beside.negated()

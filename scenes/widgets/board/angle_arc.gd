@@ -58,18 +58,39 @@ func measure(at: Vec2, first: Vec2, second: Vec2) -> void:
 	queue_redraw()
 
 
+## Where the middle of the size is, in pixels of the board.
+func label_pixel() -> Vector2:
+	var outwards := Vector2.from_angle(_start * board.y_sign() + _value_share(_drawn_sweep()))
+	# So far outside that a long text does not cross the arc, but still on the board.
+	var extent := text_extent(_value_text(), _FONT_SIZE)
+	var half := absf(outwards.x) * extent.x / 2.0 + absf(outwards.y) * extent.y / 2.0
+	var at := board.to_screen(_corner) + outwards * (radius + maxf(26.0, half + 8.0))
+	return kept_on_board(at, extent, Vector2(4.0, 0.0))
+
+
 func _draw() -> void:
 	var middle := board.to_screen(_corner)
 	var start := _start * board.y_sign()
-	var degrees := Conventions.in_range(sweep_degrees) if is_signed else sweep_degrees
-	var sweep := Vec2.deg_to_rad(degrees) * board.y_sign()
+	var sweep := _drawn_sweep()
 	var ink := Palette.color(Palette.Role.INK)
-	if absf(absf(degrees) - 90.0) <= right_within:
+	if absf(absf(_degrees()) - 90.0) <= right_within:
 		_draw_square(middle, start, sweep, ink)
 	else:
 		draw_arc(middle, radius, start, start + sweep, 48, ink, Palette.stroke(_WIDTH), true)
 	if shows_value:
-		_draw_value(degrees, middle, Vector2.from_angle(start + _value_share(sweep)), ink)
+		draw_text(_value_text(), label_pixel(), ink, _FONT_SIZE)
+
+
+func _degrees() -> float:
+	return Conventions.in_range(sweep_degrees) if is_signed else sweep_degrees
+
+
+func _drawn_sweep() -> float:
+	return Vec2.deg_to_rad(_degrees()) * board.y_sign()
+
+
+func _value_text() -> String:
+	return label + Conventions.mark_text(_degrees() if is_signed else absf(_degrees()), 3)
 
 
 # The direction in which the size stands, counted from the first one.
@@ -77,15 +98,6 @@ func _value_share(sweep: float) -> float:
 	if not beyond_degrees:
 		return sweep / 2.0
 	return sweep + Vec2.deg_to_rad(beyond_degrees) * (signf(sweep) if sweep else -1.0)
-
-
-# Beside the arc, so far outside that a long text does not cross it, but still on the board.
-func _draw_value(degrees: float, middle: Vector2, outwards: Vector2, ink: Color) -> void:
-	var text := label + Conventions.mark_text(degrees if is_signed else absf(degrees), 3)
-	var extent := text_extent(text, _FONT_SIZE)
-	var half := absf(outwards.x) * extent.x / 2.0 + absf(outwards.y) * extent.y / 2.0
-	var at := middle + outwards * (radius + maxf(26.0, half + 8.0))
-	draw_text(text, kept_on_board(at, extent, Vector2(4.0, 0.0)), ink, _FONT_SIZE)
 
 
 func _draw_square(middle: Vector2, start: float, sweep: float, ink: Color) -> void:

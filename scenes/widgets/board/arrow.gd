@@ -114,16 +114,20 @@ func _draw_shaft(from: Vector2, to: Vector2, color: Color) -> void:
 func _label_middle(from: Vector2, to: Vector2) -> Vector2:
 	var direction := from.direction_to(to) if from.distance_to(to) > SHORTEST else Vector2.RIGHT
 	var extent := text_extent(atr(label), _FONT_SIZE)
-	var reach := 15.0 + extent.x / 2.0
-	var middle := to + direction * (reach + 6.0)
+	var middle := to + direction * (_reach(extent, direction) + 6.0)
 	if not has_tip:
 		# The line may go on beyond its end: its label lies above it.
 		var above := direction.orthogonal()
 		above *= -signf(above.y + 1e-9)
-		middle = to + above * (reach * absf(above.x) + 22.0)
+		middle = to + above * _reach(extent, above)
 	if label_place == LabelPlace.MIDDLE:
 		var side := direction.orthogonal()
 		if side.dot(board.to_screen(_crowded) - from) > 0.0:
 			side = -side
-		middle = from.lerp(to, label_share) + side * (reach + 2.0)
+		middle = from.lerp(to, label_share) + side * _reach(extent, side)
 	return kept_on_board(middle, Vector2(extent.x, 0.0), Vector2(8.0, 22.0))
+
+
+# How far from the line the middle of a text is, so that it lies beside the line.
+static func _reach(extent: Vector2, direction: Vector2) -> float:
+	return 12.0 + (absf(direction.x) * extent.x + absf(direction.y) * 0.72 * extent.y) / 2.0

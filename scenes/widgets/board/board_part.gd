@@ -3,6 +3,10 @@ class_name BoardPart
 extends Node2D
 ## What is drawn on a [Board]: finds the board above it and is drawn again when the view changes.
 
+## Emitted when a text is drawn: what it says, the room of its letters on the board and their size,
+## both in pixels.
+signal text_drawn(text: String, letters: Rect2, font_size: int)
+
 ## No text on a board is drawn with smaller letters than this, in pixels.
 const SMALLEST_TEXT := 14
 
@@ -61,8 +65,16 @@ func kept_on_board(middle: Vector2, extent: Vector2, margin: Vector2) -> Vector2
 
 
 ## A text with a rim of the board's color, so that it reads on top of lines; [param middle] is its
-## center.
+## center. One that would be cut off by an edge of the board or of a strip on it moves inside.
 func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
+	var extent := text_extent(text, font_size)
+	if Rect2(middle - extent / 2.0, extent).intersects(Rect2(Vector2.ZERO, board.size)):
+		middle = kept_on_board(middle, extent, Vector2.ZERO)
+	draw_text_at(text, middle, color, font_size)
+
+
+## The same just where [param middle] is, such as a number beside its grid line.
+func draw_text_at(text: String, middle: Vector2, color: Color, font_size: int = 20) -> void:
 	var font := ThemeDB.fallback_font
 	var drawn := drawn_size(font_size)
 	var start := middle + Vector2(-text_extent(text, font_size).x / 2.0, drawn * 0.36)
@@ -70,6 +82,8 @@ func draw_text(text: String, middle: Vector2, color: Color, font_size: int = 20)
 	var paper := Palette.drawn(Palette.PAPER)
 	draw_string_outline(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, drawn, rim, paper)
 	draw_string(font, start, text, HORIZONTAL_ALIGNMENT_LEFT, -1, drawn, color)
+	var letters := Vector2(text_extent(text, font_size).x, drawn * 0.72)
+	text_drawn.emit(text, Rect2(start - Vector2(0.0, letters.y), letters), drawn)
 
 
 ## A line of short strokes from [param from] to [param to], in the board's pixels, as thick as lines

@@ -30,8 +30,8 @@ func _draw_axes() -> void:
 	_draw_tip(Vector2(extent.x - 2.0, origin.y), Vector2.RIGHT)
 	_draw_tip(Vector2(origin.x, _y_end(2.0)), Vector2.DOWN * board.y_sign())
 	var quiet := Palette.color(Palette.Role.QUIET)
-	draw_text("x", Vector2(extent.x - 14.0, origin.y - 16.0), quiet, 18)
-	draw_text("y", Vector2(origin.x - 16.0, _y_end(16.0)), quiet, 18)
+	draw_text_at("x", Vector2(extent.x - 14.0, origin.y - 16.0), quiet, 18)
+	draw_text_at("y", Vector2(origin.x - 16.0, _y_end(16.0)), quiet, 18)
 	_draw_numbers(origin)
 
 
@@ -43,12 +43,12 @@ func _draw_numbers(origin: Vector2) -> void:
 		var place := roundi((x - origin.x) / step)
 		if place % every == 0 and place != 0 and x > 24.0:
 			var text := NumberText.short(place * board.grid_step)
-			draw_text(text, Vector2(x, origin.y + 16.0), quiet, 15)
+			draw_text_at(text, Vector2(x, origin.y + 16.0), quiet, 15)
 	for y in _line_positions(origin.y, board.size.y - 16.0):
 		var place := roundi((y - origin.y) / step)
 		if place % every == 0 and place != 0 and y > 16.0 and absf(y - _y_end(0.0)) > 60.0:
 			var text := NumberText.short(place * board.grid_step * board.y_sign())
-			draw_text(text, Vector2(origin.x - 8.0 - 4.0 * text.length(), y), quiet, 15)
+			draw_text_at(text, Vector2(origin.x - 8.0 - 4.0 * text.length(), y), quiet, 15)
 
 
 func _draw_tip(at: Vector2, direction: Vector2) -> void:

@@ -3,8 +3,6 @@ extends PanelContainer
 ## What a lesson finds, in words, with a colored ball that also carries a sign.
 
 const _MARGIN := 12
-# On a board that is less wide the card is a strip along its edge, which the board leaves free.
-const _NARROW := 480.0
 # Two lines of words need so much; more is kept once it was needed.
 const _STRIP := 74.0
 # Where it may stand, the first that is free.
@@ -76,7 +74,7 @@ func _place_in(corner: LayoutPreset) -> Rect2:
 
 # Makes the card as small as its words allow and puts it into its corner.
 func _settle() -> void:
-	var is_strip := get_parent_area_size().x < _NARROW
+	var is_strip := _is_strip()
 	_words.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART if is_strip else TextServer.AUTOWRAP_OFF
 	_words.size_flags_horizontal = SIZE_EXPAND_FILL if is_strip else SIZE_FILL
 	if is_strip:
@@ -94,8 +92,13 @@ func _lie_along_edge() -> void:
 
 
 func _shrink() -> void:
-	if get_parent_area_size().x < _NARROW:
+	if _is_strip():
 		_lie_along_edge()
+
+
+# On a small board the card is a strip along its edge, which the board leaves free.
+func _is_strip() -> bool:
+	return _board and _board.is_small()
 
 
 # A strip stays where the scene has it: the board leaves it free.
@@ -107,7 +110,7 @@ func _keep_strip() -> void:
 	if not _board:
 		return
 	var strip := 0.0
-	if get_parent_area_size().x < _NARROW:
+	if _is_strip():
 		# The words of a hidden card are not laid out.
 		var height := size.y if is_visible_in_tree() else 0.0
 		strip = minf(maxf(_STRIP, height) + _MARGIN, _board.size.y * (1.0 - _FOR_DRAWING))

@@ -35,10 +35,7 @@ var _angles: PackedStringArray = []
 var _answers: PackedStringArray = []
 var _numbers: Dictionary[String, FormulaStatement.Number] = {}
 var _shown: PackedStringArray = []
-# The statements that are shown, and for each the labels and fields of its names.
-var _statements: Array[FormulaStatement] = []
-var _parts: Array[Array] = []
-var _names: Array[PackedStringArray] = []
+var _lines: Array[FormulaLine] = []
 
 @onready var _is_strong := Palette.is_high_contrast
 @onready var _name_finder := RegEx.create_from_string(_NAME)
@@ -49,7 +46,7 @@ var _names: Array[PackedStringArray] = []
 func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> void:
 	var shown := Conventions.in_unit(symbol)
 	if _symbols.get(name_in_line, "") != shown:
-		_shown.clear()
+		_make_old(name_in_line)
 	_symbols[name_in_line] = shown
 	_set_role(name_in_line, role)
 
@@ -58,6 +55,8 @@ func put_symbol(name_in_line: String, symbol: String, role: Palette.Role) -> voi
 ## over. [FormulaStatement] finds how many digits it needs.
 func put_number(name_in_line: String, value: float, role: Palette.Role, title: String = "") -> void:
 	if title:
+		if not _titles.has(name_in_line):
+			_make_old(name_in_line)
 		_titles[name_in_line] = title
 	_put(name_in_line, [value], [0.0], role)
 
@@ -112,11 +111,14 @@ func put_answer(name_in_line: String, text: String, role: Palette.Role) -> void:
 func show_lines(lines: PackedStringArray) -> void:
 	var wanted := _in_unit(lines)
 	if wanted != _shown or _is_strong != Palette.is_high_contrast:
+		if _is_strong != Palette.is_high_contrast:
+			_make_old()
 		_shown = wanted
 		_is_strong = Palette.is_high_contrast
 		_lay_out(wanted)
-	for i in _statements.size():
-		_fill(i)
+	for line in _lines:
+		for shown in line.statements:
+			_fill(shown)
 	_keep_height()
 
 
@@ -153,44 +155,60 @@ func _put(
 # Lines that are shown already have to be laid out anew when a color in them changes.
 func _set_role(name_in_line: String, role: Palette.Role) -> void:
 	if _roles.get(name_in_line, role) != role:
-		_shown.clear()
+		_make_old(name_in_line)
 	_roles[name_in_line] = role
 
 
-func _lay_out(lines: PackedStringArray) -> void:
-	for child in get_children():
-		remove_child(child)
-		child.queue_free()
-	_statements.clear()
-	_parts.clear()
-	_names.clear()
-	for line in lines:
-		var row := FormulaLine.new()
-		add_child(row)
-		var at := 0
-		for gap in _gap_finder.search_all(line):
-			_add_statement(row, line.substr(at, gap.get_start() - at))
-			row.begin_group()
-			_add_plain(row, gap.get_string())
-			at = gap.get_end()
-		_add_statement(row, line.substr(at))
+# The lines that hold this name, or all of them, are laid out anew when they are shown again.
+func _make_old(name_in_line: String = "") -> void:
+	_shown.clear()
+	for line in _lines:
+		if not name_in_line or "{%s}" % name_in_line in line.source:
+			line.source = ""
 
 
-func _add_statement(row: FormulaLine, statement: String) -> void:
-	row.begin_group()
-	var names: PackedStringArray = []
-	var parts: Array[Control] = []
+# A line that stays is kept with its fields, in one of which the student may be typing.
+func _lay_out(wanted: PackedStringArray) -> void:
+	var before := _lines
+	_lines = []
+	for text in wanted:
+		var kept := before.find_custom(func(line: FormulaLine) -> bool: return line.source == text)
+		_lines.append(before.pop_at(kept) if kept >= 0 else _new_line(text))
+	for line in before:
+		remove_child(line)
+		line.queue_free()
+	for place in _lines.size():
+		if not _lines[place].get_parent():
+			add_child(_lines[place])
+		move_child(_lines[place], place)
+
+
+func _new_line(text: String) -> FormulaLine:
+	var line := FormulaLine.new()
+	line.source = text
+	var at := 0
+	for gap in _gap_finder.search_all(text):
+		_add_statement(line, text.substr(at, gap.get_start() - at))
+		line.begin_group()
+		_add_plain(line, gap.get_string())
+		at = gap.get_end()
+	_add_statement(line, text.substr(at))
+	return line
+
+
+func _add_statement(line: FormulaLine, statement: String) -> void:
+	line.begin_group()
+	var shown := FormulaLine.Shown.new()
+	shown.statement = FormulaStatement.new(statement)
 	var at := 0
 	for found in _name_finder.search_all(statement):
-		_add_plain(row, statement.substr(at, found.get_start() - at))
-		names.append(found.get_string(1))
-		parts.append(_new_part(names[-1]))
-		row.add_child(parts[-1])
+		_add_plain(line, statement.substr(at, found.get_start() - at))
+		shown.names.append(found.get_string(1))
+		shown.parts.append(_new_part(shown.names[-1]))
+		line.add_child(shown.parts[-1])
 		at = found.get_end()
-	_add_plain(row, statement.substr(at))
-	_statements.append(FormulaStatement.new(statement))
-	_names.append(names)
-	_parts.append(parts)
+	_add_plain(line, statement.substr(at))
+	line.statements.append(shown)
 
 
 func _add_plain(row: Control, text: String) -> void:
@@ -251,11 +269,11 @@ func _tell_entered(value: float, name_in_line: String) -> void:
 
 
 # Writes what was put in into the labels and fields of a statement.
-func _fill(statement: int) -> void:
-	var texts := _statements[statement].texts(_numbers)
+func _fill(shown: FormulaLine.Shown) -> void:
+	var texts := shown.statement.texts(_numbers)
 	for i in texts.size():
-		var name_in_line := _names[statement][i]
-		var part: Control = _parts[statement][i]
+		var name_in_line := shown.names[i]
+		var part := shown.parts[i]
 		if part is NumberField:
 			(part as NumberField).show_number(_numbers[name_in_line].components[0], texts[i])
 		elif _numbers.has(name_in_line):

@@ -12,11 +12,24 @@ const _RUNNING_NUMBER := "−0.000"
 # The height of a row of text.
 const _ROW := 30.0
 
+## The text that it shows, with names in braces.
+var source := ""
+## Its statements from left to right.
+var statements: Array[Shown] = []
+
 # The places of the parts with which a statement or a gap begins.
 var _starts: PackedInt32Array = []
 var _height := 0.0
 # The rows that are kept while numbers run.
 var _kept_rows := 0
+
+
+## A statement, its names, and the label or field of each.
+class Shown:
+	extends RefCounted
+	var statement: FormulaStatement
+	var names: PackedStringArray = []
+	var parts: Array[Control] = []
 
 
 func _enter_tree() -> void:

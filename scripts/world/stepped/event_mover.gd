@@ -11,6 +11,9 @@ extends BallMover
 ## two lines that touch it on both sides. A larger number would let such a ball take longer than a
 ## frame.
 const MOST_IMPACTS := 2000
+## Such a ball that cannot rise by more than this, in pixels, has come to rest as far as anybody can
+## see: it bounces in the corner of two lines, off one and then the other, without end.
+const UNSEEN_HEIGHT := 0.5
 
 var _worlds: Dictionary[Ball, EventWorld] = {}
 # The surroundings for which the worlds were made, and their count of changes at that time.
@@ -58,6 +61,8 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 	var world := _worlds[ball]
 	var frame_start := world.time
 	refusal = world.advance(seconds)
+	if refusal and _looks_at_rest(world, surroundings.gravity):
+		refusal = ""
 	ball.position = world.position(0)
 	ball.velocity = world.velocity(0)
 	var bounces: Array[BounceRecord] = []
@@ -66,6 +71,10 @@ func move(ball: Ball, seconds: float, surroundings: Surroundings) -> Array[Bounc
 			bounces.append(record_of(event, ball.radius, frame_start, seconds))
 	world.events.clear()
 	return bounces
+
+
+static func _looks_at_rest(world: EventWorld, gravity: Vec2) -> bool:
+	return world.velocity(0).length_squared() <= 2.0 * gravity.length() * UNSEEN_HEIGHT
 
 
 func _forget_where_changed(surroundings: Surroundings) -> void:

@@ -78,7 +78,7 @@ static func _add_ways_about_turning(task: WorkshopTask) -> void:
 	)
 	task.way(
 		0,
-		LabText.translate("It points along the vector: it is not turned by 90 degrees."),
+		LabText.translate("It points along the vector: it is not perpendicular to it."),
 		func(n: PackedFloat64Array) -> PackedFloat64Array: return _over(n, [n[0], n[1]], 1.0)
 	)
 

@@ -96,7 +96,7 @@ static func _scalar() -> WorkshopTask:
 	)
 	task.way(
 		0,
-		LabText.translate("Beyond 90 degrees the scalar projection is negative: keep the sign."),
+		LabText.translate("Beyond a right angle the scalar projection is negative: keep the sign."),
 		func(n: PackedFloat64Array) -> PackedFloat64Array:
 			return [absf(_ratio(_product(n), _second(n)))]
 	)
@@ -154,7 +154,7 @@ static func _add_other_shadows(task: WorkshopTask) -> void:
 	)
 	task.way(
 		0,
-		LabText.translate("Beyond 90 degrees the shadow points against onto: keep the sign."),
+		LabText.translate("Beyond a right angle the shadow points against onto: keep the sign."),
 		func(n: PackedFloat64Array) -> PackedFloat64Array:
 			return _along(n, absf(_ratio(_product(n), _second(n) ** 2)))
 	)

@@ -88,6 +88,28 @@ func test_a_jammed_ball_stops_instead_of_hanging() -> void:
 	assert_between(world.balls[0].position.y, -1e-6, 1e-6)
 
 
+# Its bounces off both lines get lower and more frequent without end.
+func test_a_ball_in_a_corner_comes_to_rest(
+	bounciness: float = use_parameters([0.8, 0.9, 0.95])
+) -> void:
+	var world := SteppedWorld.new(EventMover.new())
+	var lines: Array[LineSegment] = [
+		LineSegment.new(Vec2.new(-70.0, -74.0), Vec2.zero()),
+		LineSegment.new(Vec2.zero(), Vec2.new(70.0, -70.0)),
+	]
+	assert_no_refusal(world.surroundings.set_segments(lines))
+	assert_no_refusal(world.surroundings.set_gravity(Vec2.new(0.0, 300.0)))
+	assert_no_refusal(world.surroundings.set_bounciness(bounciness))
+	assert_no_refusal(world.set_balls([Ball.new(Vec2.new(-5.0, -22.0), 12.0)]))
+	for frame: int in 900:
+		assert_eq(world.step(FRAME), "", "frame %d" % frame)
+	var ball := world.balls[0]
+	for line in lines:
+		var gap := line.closest_point(ball.position).distance_to(ball.position) - ball.radius
+		assert_between(gap, -1e-9, EventMover.UNSEEN_HEIGHT)
+	assert_eq(world.is_lost[0], 0)
+
+
 func test_other_balls_move_on_beside_a_jammed_one() -> void:
 	var world := SteppedWorlds.world(
 		[Vector4(-50, 5, 50, 5), Vector4(-50, -5, 50, -5)] as Array[Vector4],

@@ -1,0 +1,194 @@
+class_name Incline
+extends RefCounted
+## A straight line or a belt on which gravity presses a ball: how the ball slides and rolls on it,
+## in closed form, until it comes to an end or to a time. There is no rolling resistance.
+##
+## Along the line, from start to end, gravity pulls with G, and it presses with N > 0. The slip u is
+## how fast the ball's lowest point rubs along the line or belt. Friction µ N works against it, and
+## the slip changes by G - 3 µ N sign(u). When it has come to 0, the ball rolls if friction can hold
+## it, 3 µ N >= abs(G): that is µ >= tan(angle) / 3, for then only two thirds of G move the ball.
+
+## The smallest radius of a ball, in pixels.
+const SMALLEST := 1e-70
+## No number may be larger than this, in pixels, seconds and radians: else a product could be too
+## large for a double.
+const LARGEST := 1e70
+
+## The part of gravity along the line, in px/s²; below 0 where it pulls to the start.
+var pull := 0.0
+## The part of gravity that presses the ball on the line, in px/s²; above 0.
+var pressure := 0.0
+## The line's length in pixels.
+var length := 0.0
+## 1.0 where a ball that rolls from start to end turns clockwise on screen, else -1.0.
+var side := 1.0
+
+var _segment: LineSegment
+var _gravity: Vec2
+var _friction: float
+var _belt: float
+
+
+## The line [param segment] under [param gravity], in px/s², with the friction µ. The surface moves
+## with [param belt] px/s from start to end; 0 is a line at rest. The ball lies on the side from
+## which gravity presses.
+func _init(segment: LineSegment, gravity: Vec2, friction: float, belt: float = 0.0) -> void:
+	_segment = segment.copy()
+	_gravity = gravity.copy()
+	_friction = friction
+	_belt = belt
+	length = segment.length()
+	var along := segment.along()
+	var across := along.cross(gravity)
+	if length > 0.0:
+		pull = along.dot(gravity) / length
+		pressure = absf(across) / length
+	side = 1.0 if across > 0.0 else -1.0
+
+
+## "" if this can be used; otherwise one sentence with the value and what is allowed. Gravity along
+## the line presses nothing on it, and so has no answer here.
+func problem() -> String:
+	for wrong: String in [
+		_segment.problem(LARGEST),
+		FreeFlight.problem_of_gravity(_gravity, LARGEST),
+		Friction.problem_of(_friction),
+		_problem_of_number("The speed of a belt", _belt, "px/s"),
+	]:
+		if wrong:
+			return wrong
+	if not pressure > 0.0:
+		return "Gravity must press on the line, but %s is along it." % _gravity
+	return ""
+
+
+## Whether a ball that does not slip goes on to roll.
+func can_hold() -> bool:
+	return Friction.YIELD * _friction * pressure >= absf(pull)
+
+
+## How fast the lowest point of a ball rubs along the line, in px/s. [param speed] is that of the
+## centre, from start to end.
+func slip(radius: float, speed: float, spin: float) -> float:
+	return speed - side * radius * spin - _belt
+
+
+## Where a ball is and how it moves when it comes to an end of the line, or after [param longest]
+## seconds. It starts with its centre above the point [param distance] pixels from the start of the
+## line, with [param speed] px/s from start to end, and [param spin]. What cannot be used is an
+## error, and the ball stays as it was.
+func run(radius: float, distance: float, speed: float, spin: float, longest: float) -> InclineRun:
+	var ball := InclineRun.new(distance, speed, spin)
+	if not _can_run(radius, distance, speed, spin, longest):
+		return ball
+	var rubs := slip(radius, speed, spin)
+	if rubs == 0.0 and can_hold():
+		_roll(ball, radius, longest)
+	else:
+		_rub(ball, radius, rubs, longest)
+	var fast := ball.leaves != InclineRun.End.NONE and ball.speed * ball.speed > pressure * radius
+	ball.flies = fast
+	return ball
+
+
+## The same as a game computes it, in frames of [param frame] seconds: friction against the slip,
+## then the way. Nothing ends a slip at 0: it changes its sign from frame to frame, so the ball
+## trembles and never rolls, and its end is late or early by a frame.
+func run_by_frames(
+	radius: float, distance: float, speed: float, spin: float, longest: float, frame: float
+) -> InclineRun:
+	var ball := InclineRun.new(distance, speed, spin)
+	if not (frame > 0.0 and frame < INF):
+		push_error("Incline: A frame must take more than 0 s, not %s s." % frame)
+		return ball
+	if not _can_run(radius, distance, speed, spin, longest):
+		return ball
+	while ball.time < longest and ball.distance >= 0.0 and ball.distance <= length:
+		var rubs := signf(slip(radius, ball.speed, ball.spin))
+		ball.move(frame, _slip_acceleration(rubs), _slip_spin(rubs, radius))
+	if ball.distance < 0.0:
+		ball.leaves = InclineRun.End.START
+	elif ball.distance > length:
+		ball.leaves = InclineRun.End.END
+	return ball
+
+
+# The ball slips, until the slip is over or the run is.
+func _rub(ball: InclineRun, radius: float, rubs: float, longest: float) -> void:
+	var direction := signf(rubs if rubs != 0.0 else pull)
+	# How fast the slip becomes less.
+	var fades := Friction.YIELD * _friction * pressure - pull * direction
+	var lasts := absf(rubs) / fades if rubs != 0.0 and fades > 0.0 else INF
+	if _goes_on(ball, _slip_acceleration(direction), _slip_spin(direction, radius), lasts, longest):
+		return
+	if can_hold():
+		_roll(ball, radius, longest)
+		return
+	ball.regime = InclineRun.Regime.SLIPS_BACK
+	_goes_on(ball, _slip_acceleration(-direction), _slip_spin(-direction, radius), INF, longest)
+
+
+# Friction does not rub any more, but turns the ball: a third of the pull goes into the spin.
+func _roll(ball: InclineRun, radius: float, longest: float) -> void:
+	ball.regime = InclineRun.Regime.ROLLS
+	ball.roll_time = ball.time
+	var acceleration := pull - pull / Friction.YIELD
+	_goes_on(ball, acceleration, side * acceleration / radius, INF, longest)
+
+
+# How the speed and the spin of a ball change that slips in this direction, 1.0 or -1.0.
+func _slip_acceleration(direction: float) -> float:
+	return pull - _friction * pressure * direction
+
+
+func _slip_spin(direction: float, radius: float) -> float:
+	return side * direction * _friction * pressure / (Disc.INERTIA * radius)
+
+
+# Moves the ball for the time that this part of its way lasts. Whether the run is over then.
+func _goes_on(
+	ball: InclineRun, acceleration: float, turning: float, lasts: float, longest: float
+) -> bool:
+	var to_start := FreeFlight.time_to_fall(ball.distance, ball.speed, acceleration)
+	var to_end := FreeFlight.time_to_fall(length - ball.distance, -ball.speed, -acceleration)
+	var to_leave := minf(to_start, to_end)
+	var left := longest - ball.time
+	if to_leave <= minf(lasts, left):
+		ball.move(to_leave, acceleration, turning)
+		ball.leaves = InclineRun.End.START if to_start <= to_end else InclineRun.End.END
+		ball.distance = 0.0 if to_start <= to_end else length
+		return true
+	ball.move(minf(lasts, left), acceleration, turning)
+	return left <= lasts
+
+
+func _can_run(radius: float, distance: float, speed: float, spin: float, longest: float) -> bool:
+	for wrong: String in [
+		problem(),
+		_problem_of_number("The ball's speed", speed, "px/s"),
+		_problem_of_number("The ball's spin", spin, "rad/s"),
+		_problem_of_start(radius, distance, longest),
+	]:
+		if wrong:
+			push_error("Incline: " + wrong)
+			return false
+	return true
+
+
+func _problem_of_start(radius: float, distance: float, longest: float) -> String:
+	var limit := String.num_scientific(LARGEST)
+	if not (radius >= SMALLEST and radius <= LARGEST):
+		var values := [String.num_scientific(SMALLEST), limit, radius]
+		return "A ball's radius must be within %s..%s px, not %s." % values
+	if not (distance >= 0.0 and distance <= length):
+		return "The ball must be 0..%s px from the start of the line, not %s." % [length, distance]
+	if not (longest >= 0.0 and longest <= LARGEST):
+		return "A run must take 0..%s s, not %s s." % [limit, longest]
+	return ""
+
+
+static func _problem_of_number(what: String, number: float, unit: String) -> String:
+	if absf(number) <= LARGEST:
+		return ""
+	var limit := String.num_scientific(LARGEST)
+	return "%s must be within -%s..%s %s, not %s." % [what, limit, limit, unit, number]
