@@ -9,10 +9,10 @@ extends FuzzKind
 ## A shot may miss by [constant MOST] times eps times its condition. The condition adds up how far
 ## the shot misses when its numbers are wrong, each by its own size. So a rounding on the way counts
 ## for half of eps times a part of it. An answer has two or three roundings in its direction and as
-## many in its time, and the flight has about five.
+## many in its time, and the flight has about five. The largest of 150 000 misses was 0.94.
 
 ## See the class.
-const MOST := 8.0
+const MOST := 4.0
 ## Pixels.
 const POINT := 1e-6
 
