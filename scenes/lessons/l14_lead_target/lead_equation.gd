@@ -3,6 +3,9 @@ extends RefCounted
 ## The equation |P + V t| = R + s t for the moment at which a bullet touches, and what its square
 ## a t² + 2 b t + c = 0 is made of. [LeadAim] finds its roots without losing digits.
 
+# A difference up to this share of its terms is rounding.
+const _ROUNDING := 1.0 / 2.0 ** 50
+
 ## P: from the shooter to the target, in pixels.
 var way: Vec2
 ## V: the velocity of the target as the shooter sees it, in pixels per second.
@@ -11,7 +14,7 @@ var velocity: Vec2
 var speed: float
 ## R: the radii of both together, in pixels.
 var radius: float
-## V · V - s²; above 0 where the target is faster.
+## V · V - s²; above 0 where the target is faster, and 0 where only rounding makes a difference.
 var a: float
 ## P · V - s R.
 var b: float
@@ -28,6 +31,8 @@ func _init(from_shooter: Vec2, its_velocity: Vec2, its_speed: float, its_radius:
 	speed = its_speed
 	radius = its_radius
 	a = velocity.length_squared() - speed * speed
+	if absf(a) <= _ROUNDING * (velocity.length_squared() + speed * speed):
+		a = 0.0
 	b = way.dot(velocity) - speed * radius
 	c = way.length_squared() - radius * radius
 	discriminant = b * b - a * c

@@ -87,19 +87,16 @@ func _ask_time() -> void:
 	var one_step := way.length() / speed
 	add_mistake([one_step], tr("That is |P| / s: the time to where the target is now."))
 	var other := _equation.other_root()
-	add_mistake_of_either_sign([other], tr("That is the root below 0: it lies in the past."))
-	_add_time(velocity.negated(), tr("The sign of V is wrong: the target moves the other way."))
+	add_mistake([other], tr("That is the root below 0: it lies in the past."))
+	# It hits a target that moves with -V.
+	add_mistake(
+		[-other], tr("That would hit a target that moves the other way: mind the sign of V.")
+	)
 	var approach := speed + velocity.length()
 	add_mistake(
 		[way.length() / approach], tr("Speeds add up only where both fly straight at each other.")
 	)
 	add_mistake([speed * right_answer[0]], tr("That is the way s t: divide it by s."))
-
-
-func _add_time(wrong_velocity: Vec2, sentence: String) -> void:
-	var times := LeadAim.times(way, wrong_velocity, speed, 0.0)
-	if times:
-		add_mistake([times[0]], sentence)
 
 
 func _ask_direction(kind: Kind) -> void:

@@ -25,8 +25,10 @@ var _readout: LeadTargetReadout
 
 
 func start() -> void:
-	_move_target(_velocity.tail_point(), _velocity.head_point())
-	_move_shooter(_own.tail_point(), _own.head_point())
+	_model.target = _velocity.tail_point()
+	_model.velocity = _velocity.head_point().minus(_velocity.tail_point())
+	_model.shooter = _own.tail_point()
+	_model.own = _own.head_point().minus(_own.tail_point())
 	_model.speed = _one_second.radius
 	_model.radius = _mark.radius
 	on_drag(_velocity.moved, _velocity.released, _move_target)
@@ -65,15 +67,20 @@ func _play_shot(seconds: float) -> void:
 
 
 func _move_target(tail: Vec2, head: Vec2) -> String:
-	return _take_vectors("target", tail, "velocity", head.minus(tail))
+	return _take_moved("target", _model.target, tail, "velocity", _model.velocity, head)
 
 
 func _move_shooter(tail: Vec2, head: Vec2) -> String:
-	return _take_vectors("shooter", tail, "own", head.minus(tail))
+	return _take_moved("shooter", _model.shooter, tail, "own", _model.own, head)
 
 
-func _take_vectors(place: String, at: Vec2, moves: String, velocity: Vec2) -> String:
-	return _take({place: [at.x, at.y], moves: [velocity.x, velocity.y]})
+# What is moved by its tail keeps its velocity.
+func _take_moved(
+	place: String, before: Vec2, tail: Vec2, moves: String, velocity: Vec2, head: Vec2
+) -> String:
+	var is_tail := head.distance_to(before.plus(velocity)) == 0.0
+	var wanted := velocity if is_tail else head.minus(tail)
+	return _take({place: [tail.x, tail.y], moves: [wanted.x, wanted.y]})
 
 
 func _move_places(shooter: Vec2, target: Vec2) -> String:

@@ -5,7 +5,7 @@ extends RefCounted
 const _PLACES := "S = ( {Sx} , {Sy} )   T = ( {Tx} , {Ty} )"
 const _GIVEN: PackedStringArray = [
 	"{v} = ( {vx} , {vy} )   {u} = ( {ux} , {uy} )",
-	"{s} = {s_typed}   R = {R_typed}",
+	"{s} = {speed}   R = {radius}",
 ]
 const _RELATIVE := "{P} = T − S = {P_pair}   {V} = {v} − {u} = {V_pair}"
 const _SHORT_RELATIVE := "{P} = {P_pair}   {V} = {v} − {u} = {V_pair}"
@@ -75,6 +75,8 @@ func _lines_on_time(model: LeadTargetModel) -> PackedStringArray:
 
 # With a sum in place of a difference nothing cancels, and a may be 0.
 func _lines_of_roots(equation: LeadEquation) -> PackedStringArray:
+	if equation.b >= 0.0 and equation.a == 0.0:
+		return [tr("a is 0 but for rounding: the hit is very far away")]
 	if equation.b > 0.0:
 		return [
 			"{t} = −(b + √D) / a = −({b} + {root}) / {a} = {first}",
@@ -109,8 +111,8 @@ func _put_given(model: LeadTargetModel) -> void:
 	_formula.put_number("ux", model.own.x, Palette.Role.UNIT, tr("x of the shooter's velocity"))
 	_formula.put_number("uy", model.own.y, Palette.Role.UNIT, tr("y of the shooter's velocity"))
 	_formula.put_symbol("s", "s", Palette.Role.PROJECTION)
-	_formula.put_number("s_typed", model.speed, Palette.Role.PROJECTION, tr("speed of the bullet"))
-	_formula.put_number("R_typed", model.radius, Palette.Role.INK, tr("radii of both together"))
+	_formula.put_number("speed", model.speed, Palette.Role.PROJECTION, tr("speed of the bullet"))
+	_formula.put_number("radius", model.radius, Palette.Role.INK, tr("radii of both together"))
 	_formula.put_symbol("wrong", tr("mistake"), Palette.Role.WRONG)
 
 
@@ -141,9 +143,18 @@ func _put_hit(model: LeadTargetModel, shots: LeadShots) -> void:
 	_formula.put_number("first", aim.time, blue)
 	_formula.put_symbol("d", "d", blue)
 	_formula.put_symbol("w", "w", blue)
-	_formula.put_vector("sum", model.equation().way_after(aim.time), Palette.Role.INK)
+	# What rounding leaves of a sum grows with its terms.
+	var size := model.way().length() + model.relative_velocity().length() * aim.time
+	var size_of_w := model.own.length() + model.speed
+	_put_sum("sum", model.equation().way_after(aim.time), size, Palette.Role.INK)
 	_formula.put_vector("d_pair", aim.direction, blue)
-	_formula.put_vector("w_pair", model.own.plus(aim.direction.scaled(model.speed)), blue)
-	_formula.put_vector("there", aim.target, Palette.Role.B)
+	_put_sum("w_pair", model.own.plus(aim.direction.scaled(model.speed)), size_of_w, blue)
+	size = model.target.length() + model.velocity.length() * aim.time
+	_put_sum("there", aim.target, size, Palette.Role.B)
 	if shots.right.is_right:
-		_formula.put_vector("place", shots.right.place_after(aim.time), blue)
+		size = model.shooter.length() + size_of_w * aim.time
+		_put_sum("place", shots.right.place_after(aim.time), size, blue)
+
+
+func _put_sum(name_in_line: String, sum: Vec2, size: float, role: Palette.Role) -> void:
+	_formula.put_vector_sum(name_in_line, sum, Vec2.new(size, size), role)

@@ -72,9 +72,9 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	{
 		shooter = _SHOOTER,
 		target = _TARGET,
-		velocity = [-120.0, 90.0],
+		velocity = [-90.0, 120.0],
 		own = [0.0, 0.0],
-		speed = 150.000000001,
+		speed = 150.0000000001,
 		radius = 0.0
 	},
 	"At rest":
@@ -211,9 +211,9 @@ func shooter_after(seconds: float, as_seen: bool) -> Vec2:
 ## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with
 ## the value and what is allowed, and nothing changes.
 func enter(name_in_line: String, value: float) -> String:
+	if name_in_line in ["speed", "radius"]:
+		return take({name_in_line: value})
 	var parts: Dictionary[String, Vec2] = {"S": shooter, "T": target, "v": velocity, "u": own}
-	if name_in_line in ["s", "R"]:
-		return take({"speed" if name_in_line == "s" else "radius": value})
 	var part := parts[name_in_line[0]]
 	var before := part.copy()
 	part.set(name_in_line[1], value)

@@ -87,6 +87,8 @@ static func _on_aim(model: LeadTargetModel) -> String:
 static func _on_fire(model: LeadTargetModel, shots: LeadShots) -> String:
 	if not model.can_hit():
 		return LabText.translate("Nothing is fired, because nothing would hit.")
+	if model.shot_case() == LeadTargetModel.Case.TOUCHES:
+		return LabText.translate("They touch already: no shot has to fly.")
 	if not shots.right.is_right:
 		return LabText.translate("The hit is too late to be flown here.")
 	return LabText.translate(
@@ -139,7 +141,7 @@ static func is_compared(model: LeadTargetModel, step: int) -> bool:
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: LeadTargetModel, shots: LeadShots, step: int) -> PackedStringArray:
 	var words := _case_words(model)
-	if step == LeadTargetModel.Step.FIRE and shots.right.is_right:
+	if step == LeadTargetModel.Step.FIRE and shots.right.moment > 0.0:
 		words.append_array(ShotText.of_right(shots.right.miss, shots.right.from_rounding()))
 	if is_compared(model, step):
 		words.append(_mistake_words(model, shots.wrong))
