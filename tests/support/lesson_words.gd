@@ -106,6 +106,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"a right angle",
 		],
 	},
+	&"aim_at": {words = ["no direction"]},
 	&"lead_target":
 	{
 		words =

@@ -3,6 +3,12 @@ extends Node2D
 ## The drawing of the lesson on aiming at a target: the hull, the barrel on it, their angles, the
 ## shots, and the verdict.
 
+# How far the arcs are from the mount for a barrel of length 1, and in pixels at least and at most.
+const _ARC_OF_HULL := 1.2
+const _ARC_OF_BARREL := 1.75
+const _ARC_OF_TARGET := 2.4
+const _SMALLEST_ARC := 24.0
+const _LARGEST_ARC := 200.0
 # How long the hull is for a barrel of length 1, and how far before it the handle is that turns it.
 const _HULL := 1.3
 const _FRONT := 1.5
@@ -141,6 +147,10 @@ func _lay_arcs(model: AimAtModel, step: int) -> void:
 	var x_axis := Vec2.new(1.0, 0.0)
 	var hull := Vec2.unit_degrees(model.hull_degrees)
 	var barrel := Vec2.unit_degrees(model.current_degrees())
+	_alpha.radius = _pixels_of_arc(model, _ARC_OF_HULL)
+	_theta.radius = _pixels_of_arc(model, _ARC_OF_TARGET)
+	for arc: AngleArc in [_beta, _own, _delta]:
+		arc.radius = _pixels_of_arc(model, _ARC_OF_BARREL)
 	_alpha.measure(model.hull, x_axis, hull)
 	_beta.measure(model.hull, hull, barrel)
 	_theta.measure(model.hull, x_axis, model.way())
@@ -155,6 +165,11 @@ func _lay_arcs(model: AimAtModel, step: int) -> void:
 	_own.visible = sees and step == AimAtModel.Step.NESTED
 	_delta.visible = sees and step == AimAtModel.Step.TURN
 	_reference.visible = _alpha.visible or _theta.visible
+
+
+func _pixels_of_arc(model: AimAtModel, lengths: float) -> float:
+	var pixels := lengths * model.length * _mark.board.pixels_per_unit
+	return clampf(pixels, _SMALLEST_ARC, _LARGEST_ARC)
 
 
 func _lay_current(shots: AimShots, step: int) -> void:
@@ -212,8 +227,9 @@ func _lay_wrong(model: AimAtModel, shots: AimShots, step: int) -> void:
 
 func _lay_miss(line: DimensionLine, model: AimAtModel, shot: AimShot) -> void:
 	line.label = tr("%s px") % NumberText.short(shot.miss, 3)
-	var side := model.way().normal()
-	line.lay(shot.place_after(shot.moment), model.target, side if side.length() else Vec2.new(0, 1))
+	# The label is beyond the way of the bullet, off the target.
+	var nearest := shot.place_after(shot.moment)
+	line.lay(nearest, model.target, nearest.minus(model.target))
 
 
 func _show_way(path: FlightPath, place: Callable, end: float) -> void:

@@ -55,13 +55,13 @@ func _lines_on_target(model: AimAtModel, step: int) -> PackedStringArray:
 		AimAtModel.Step.NESTED:
 			var raw := Conventions.in_range(seen) - Conventions.in_range(model.hull_degrees)
 			var added := _added(raw, Conventions.in_range(model.wanted_degrees()))
-			found.append("β′ = θ − α = {theta}° − {alpha}°%s = {wanted}°" % added)
+			found.append("β′ = θ − α%s = {wanted}°" % added)
 		AimAtModel.Step.TURN, AimAtModel.Step.EARLY:
 			found.append(_line_of_gamma(model))
 			var gamma := Conventions.in_range(model.current_degrees())
 			var raw := Conventions.in_range(seen) - gamma
 			var added := _added(raw, model.turn_degrees())
-			found.append("δ = θ − γ = {theta}° − {gamma}°%s = {delta}°" % added)
+			found.append("δ = θ − γ%s = {delta}°" % added)
 			found.append("h = {half_life}")
 			if step == AimAtModel.Step.EARLY:
 				found[-1] += "   t = {fire}   R = {radius}"
@@ -77,7 +77,7 @@ func _line_of_gamma(model: AimAtModel) -> String:
 	var raw := Conventions.in_range(model.hull_degrees)
 	raw += Conventions.in_range(model.barrel_degrees)
 	var added := _added(raw, Conventions.in_range(model.current_degrees()))
-	return "γ = α + β = {alpha}° + {beta}°%s = {gamma}°" % added
+	return "γ = α + β%s = {gamma}°" % added
 
 
 # The full turn that is added to an angle below 0 where a full turn is chosen: atan2 does not.
@@ -120,8 +120,6 @@ func _put_given(model: AimAtModel) -> void:
 
 func _put_angles(model: AimAtModel) -> void:
 	var ink := Palette.Role.INK
-	_formula.put_angle("alpha", Conventions.in_range(model.hull_degrees), Palette.Role.A)
-	_formula.put_angle("beta", Conventions.in_range(model.barrel_degrees), ink)
 	_formula.put_angle("gamma", Conventions.in_range(model.current_degrees()), ink)
 	_formula.put_angle("theta", Conventions.in_range(model.target_degrees()), Palette.Role.B)
 	_formula.put_angle("wanted", Conventions.in_range(model.wanted_degrees()), ink)
