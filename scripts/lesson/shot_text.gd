@@ -4,16 +4,13 @@ extends RefCounted
 ## it. A miss is the smallest distance of both centres.
 
 
-## A right shot, in two lines, translated: it misses by [param miss] pixels, and
-## [param from_rounding] is what [ShotCondition] says of it, times its epsilon.
-static func of_right(miss: float, from_rounding: float) -> PackedStringArray:
-	return [
-		LabText.translate("miss %s px") % NumberText.size(miss),
-		(
-			LabText.translate("rounding alone: up to %s px (ε × condition)")
-			% NumberText.size(from_rounding)
-		)
-	]
+## A right shot, in one line, translated: it misses by [param miss] pixels, and rounding alone may
+## move it by [param from_rounding], which is the epsilon of [ShotCondition] times its condition.
+static func of_right(miss: float, from_rounding: float) -> String:
+	var sentence := LabText.translate("miss %s px; ε × condition %s px")
+	# The product is one thing: no line ends in it.
+	sentence = sentence.replace("ε × ", "ε\u00a0×\u00a0")
+	return sentence % [NumberText.size(miss), NumberText.size(from_rounding)]
 
 
 ## A shot that misses by [param miss] pixels, translated.

@@ -70,11 +70,8 @@ static func _on_fire(model: AimAtModel) -> String:
 			return LabText.translate(
 				"The target is nearer than the nozzle: the bullet starts behind it."
 			)
-	return (
-		LabText
-		. translate(
-			"Aligned, it fires from the nozzle. The card says how far off it is, and what rounding may do."
-		)
+	return LabText.translate(
+		"Aligned, it fires from the nozzle. ε × condition is how far rounding alone may move it."
 	)
 
 
@@ -152,9 +149,12 @@ static func _words_of_step(model: AimAtModel, shots: AimShots, step: int) -> Pac
 			return [LabText.translate("the short way: %s") % _turn(model.turn_degrees())]
 		AimAtModel.Step.EARLY:
 			return _words_on_early(model, shots.early)
-	var words := ShotText.of_right(shots.right.miss, shots.right.from_rounding())
-	var flight := NumberText.short(shots.right.moment)
-	words.insert(0, LabText.translate("it hits %s s after the shot") % flight)
+	var words: PackedStringArray = []
+	# On a small board the card has to be short.
+	if not is_compared(model, step):
+		var flight := NumberText.short(shots.right.moment)
+		words.append(LabText.translate("it hits %s s after the shot") % flight)
+	words.append(ShotText.of_right(shots.right.miss, shots.right.from_rounding()))
 	return words
 
 

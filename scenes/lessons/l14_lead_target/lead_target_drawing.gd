@@ -274,7 +274,7 @@ func _show_verdict(model: LeadTargetModel, shots: LeadShots, step: int) -> void:
 	_verdict.show_verdict(sign_text, role, LeadTargetTexts.verdict(model, shots, step))
 	var board := _mark.board
 	var places: PackedVector2Array = []
-	for place: Vec2 in [model.shooter, model.target, _speed_point(model)]:
+	for place: Vec2 in [model.shooter, model.target]:
 		places.append(board.to_screen(place))
 	if model.can_hit():
 		places.append(board.to_screen(model.target_after(model.aim().time, false)))

@@ -92,7 +92,7 @@ static func _on_fire(model: LeadTargetModel, shots: LeadShots) -> String:
 	if not shots.right.is_right:
 		return LabText.translate("The hit is too late to be flown here.")
 	return LabText.translate(
-		"Press Play: the shot flies. The card says how far off it is, and what rounding may do."
+		"Press Play: the shot flies. ε × condition is how far rounding alone may move it."
 	)
 
 
@@ -141,8 +141,12 @@ static func is_compared(model: LeadTargetModel, step: int) -> bool:
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: LeadTargetModel, shots: LeadShots, step: int) -> PackedStringArray:
 	var words := _case_words(model)
-	if step == LeadTargetModel.Step.FIRE and shots.right.moment > 0.0:
-		words.append_array(ShotText.of_right(shots.right.miss, shots.right.from_rounding()))
+	var is_flown := step == LeadTargetModel.Step.FIRE and shots.right.moment > 0.0
+	# On a small board the card has to be short.
+	if is_flown and is_compared(model, step):
+		words.clear()
+	if is_flown:
+		words.append(ShotText.of_right(shots.right.miss, shots.right.from_rounding()))
 	if is_compared(model, step):
 		words.append(_mistake_words(model, shots.wrong))
 	return words

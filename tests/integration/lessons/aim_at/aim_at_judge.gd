@@ -173,7 +173,7 @@ func _claims_of_card(step: int) -> Dictionary[String, bool]:
 		"s on it hits": is_early and _misses(_miss_of(_left())),
 		"s after the shot": is_fire,
 		"miss ": is_fire,
-		"rounding alone: up to": is_fire,
+		"px; ε × condition": is_fire,
 		"the mistake changes nothing here": is_long and long_is_same or is_wrong and wrong_is_same,
 		"the mistake: ": is_long,
 		"the mistake hits all the same": is_wrong and _hits(_miss_of(_wrong_off())),
@@ -232,7 +232,7 @@ func _problem_of_misses(verdict: PackedStringArray) -> String:
 			miss = SeenLesson.number_behind("miss ", line)
 			if not miss <= 1.5 * _from_rounding():
 				return "a right shot is not so far off: “%s”" % line
-		var bound := SeenLesson.number_behind("rounding alone: up to ", line)
+		var bound := SeenLesson.number_behind("; ε × condition ", line)
 		if not is_nan(bound) and absf(bound - _from_rounding()) > 0.07 * _from_rounding():
 			return "it is %s: “%s”" % [_from_rounding(), line]
 	return ""

@@ -64,13 +64,12 @@ const CASES: Array[Dictionary] = [
 		[
 			[
 				"it hits 0.65 s after the shot",
-				"miss 0 px",
-				"rounding alone: up to 1.8e−13 px (ε × condition)",
+				"miss 0 px; ε × condition 1.8e−13 px",
 				"the mistake misses by 90 px"
 			],
 			["it hits 0.9 s after the shot"],
-			["miss 1 px"],
-			["rounding alone: up to 1.8e−12 px (ε × condition)"],
+			["miss 1 px; ε × condition 1.8e−13 px"],
+			["miss 0 px; ε × condition 1.8e−12 px"],
 			["the mistake misses by 23.5 px"],
 			["the mistake changes nothing here"],
 			["the mistake hits all the same"],
@@ -79,7 +78,7 @@ const CASES: Array[Dictionary] = [
 		],
 		sentence =
 		[
-			"Aligned, it fires from the nozzle. The card says how far off it is, and what rounding may do.",
+			"Aligned, it fires from the nozzle. ε × condition is how far rounding alone may move it.",
 			"The target is nearer than the nozzle: the bullet starts behind it.",
 			"Without a direction there is nothing to fire at.",
 			"something new",
@@ -182,7 +181,7 @@ const CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"The target is nearer than the nozzle: the bullet starts behind it.",
-			"Aligned, it fires from the nozzle. The card says how far off it is, and what rounding may do.",
+			"Aligned, it fires from the nozzle. ε × condition is how far rounding alone may move it.",
 		],
 	},
 ]

@@ -82,7 +82,7 @@ func test_the_aligned_shot_leaves_the_nozzle_and_hits() -> void:
 	await go_to_step(AimAtModel.Step.FIRE)
 	assert_has(_lines(), "N = P + L d = (−80, −20)")
 	assert_reads("it hits 0.65 s after the shot")
-	assert_reads("(ε × condition)")
+	assert_reads("; ε × condition 1.8e−13 px")
 	await click_button("One frame on")
 	var bullet := (frame().lesson.get_node("%Bullet") as ShotSprite).at()
 	assert_almost_eq(bullet.y, -20.0 + 200.0 / 60.0, 1e-9)

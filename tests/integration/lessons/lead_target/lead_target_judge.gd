@@ -291,7 +291,7 @@ func _claims_of_card(step: int) -> Dictionary[String, bool]:
 		"no hit: the target is as fast": _can_be_equal() and _can_miss(),
 		"as the bullet and comes no nearer": _can_be_equal() and _can_miss(),
 		"miss ": is_flown,
-		"rounding alone: up to": is_flown,
+		"px; ε × condition": is_flown,
 		"the mistake finds no direction": is_compared and (has_none or is_unsure),
 		"the mistake changes nothing here": is_compared and is_same,
 		"the mistake hits all the same": is_compared and _hits(_wrong),
@@ -312,7 +312,7 @@ func _problem_of_numbers(verdict: PackedStringArray) -> String:
 			return "it misses by %s: “%s”" % [_miss_of(_wrong), line]
 		if line.begins_with("miss ") and not _is_rounding(SeenLesson.number_behind("miss ", line)):
 			return "a right shot is not so far off: “%s”" % line
-		var bound := SeenLesson.number_behind("rounding alone: up to ", line)
+		var bound := SeenLesson.number_behind("; ε × condition ", line)
 		if not is_nan(bound) and not _is_bound(bound):
 			return "rounding moves it by %s: “%s”" % [_from_rounding(), line]
 	return ""

@@ -50,16 +50,11 @@ const CASES: Array[Dictionary] = [
 		verdict_sign = ["✗", "×"],
 		verdict =
 		[
-			[
-				"it hits after t = 2 s",
-				"miss 3e−14 px",
-				"rounding alone: up to 3.5e−13 px (ε × condition)",
-				"the mistake misses by 23.8 px"
-			],
+			["miss 3e−14 px; ε × condition 3.5e−13 px", "the mistake misses by 23.8 px"],
 			["it hits after t = 1.6 s"],
 			["it hits after t = 2 s", "or later, after 4 s"],
-			["miss 24 px"],
-			["rounding alone: up to 3.5e−12 px (ε × condition)"],
+			["miss 24 px; ε × condition 3.5e−13 px"],
+			["miss 0 px; ε × condition 3.5e−12 px"],
 			["the mistake misses by 123 px"],
 			["the mistake changes nothing here"],
 			["the mistake hits all the same"],
@@ -70,7 +65,7 @@ const CASES: Array[Dictionary] = [
 		],
 		sentence =
 		[
-			"Press Play: the shot flies. The card says how far off it is, and what rounding may do.",
+			"Press Play: the shot flies. ε × condition is how far rounding alone may move it.",
 			"Nothing is fired, because nothing would hit.",
 			"The hit is too late to be flown here.",
 			"They touch already: no shot has to fly.",

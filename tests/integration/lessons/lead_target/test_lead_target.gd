@@ -96,7 +96,7 @@ func test_the_right_shot_flies_and_stops_when_it_hits() -> void:
 	assert_eq(_model().time, 2.0)
 	var bullet := (frame().lesson.get_node("%Bullet") as BallView).at()
 	assert_vec2(bullet, Vec2.new(120, 90), 1e-12)
-	assert_reads("rounding alone: up to 3.5e−13 px (ε × condition)")
+	assert_reads("miss 0 px; ε × condition 3.5e−13 px")
 	await _play()
 	assert_eq(_model().time, 2.0, "Play begins anew")
 
