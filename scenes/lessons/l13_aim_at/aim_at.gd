@@ -5,15 +5,13 @@ extends Lesson
 # In the opening the hull swings so far to both sides, in degrees, and so often in 20 seconds.
 const _SWING := 40.0
 const _SWINGS := 4.0
-# A flight lasts at most so many seconds of the student's: one that is longer runs faster.
-const _LONGEST_SHOWN := 6.0
 
 var _model := AimAtModel.new()
 var _shots: AimShots
 var _formula: AimAtFormula
 var _readout: AimAtReadout
+var _clock: FlightClock
 
-@onready var _transport: Transport = services.get(&"transport")
 @onready var _drawing: AimAtDrawing = %Drawing
 @onready var _hull: TankHull = %Hull
 @onready var _barrel: GunBarrel = %Barrel
@@ -40,14 +38,14 @@ func start() -> void:
 	(services[&"mistakes"] as Mistakes).add_all(AimAtMistakes.infos())
 	var questions := services[&"question"] as Question
 	questions.offer(AimExercise.fresh, AimExercise.Kind.size(), 0, AimExercise.of_the_table)
-	on_enter(_enter)
+	on_enter(_model.enter)
 	on_pick(_take)
-	# While the barrel turns and the shot flies, nothing else has to be shown anew.
-	_transport.advanced.connect(_fly)
-	step_changed.connect(_rewind)
+	var end := func() -> float: return _shots.end(step)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _points)
+	about_to_show.connect(_clock.go_to.bind(0.0))
 	open_with(_swing.bind(_model.hull_degrees))
 
 
@@ -62,7 +60,7 @@ func _let_drag(handle: Handle, change: Callable) -> void:
 	on_drag(handle.moved, handle.released, change)
 
 
-# What the student does. What is changed flies from the beginning.
+# What the student does. After each change the shot flies from the beginning.
 
 
 func _move_hull(to: Vec2) -> String:
@@ -92,13 +90,7 @@ func _snapped(at: Vec2) -> Vec2:
 	return board.snapped_to_step(at)
 
 
-func _enter(name_in_line: String, value: float) -> String:
-	_rewind()
-	return _model.enter(name_in_line, value)
-
-
 func _take(changes: Dictionary) -> String:
-	_rewind()
 	var problem := _model.take(changes)
 	if changes.has("mistake") and not problem:
 		_model.show_mistake(_model.mistake)
@@ -115,22 +107,13 @@ func _go_to_mistake() -> void:
 		(services[&"steps"] as Steps).go_to(wanted)
 
 
-func _rewind() -> void:
-	_model.time = 0.0
-
-
-# At its end a flight stops; Play begins it anew.
-func _fly(seconds: float) -> void:
-	var end := _shots.end(step)
-	if _transport.is_playing and _model.time >= end:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds * maxf(1.0, end / _LONGEST_SHOWN), 0.0, end)
-	if _model.time == end:
-		_transport.is_playing = false
-	_drawing.show_flight(_model, _shots, step)
-
-
 # What the student sees.
+
+
+# While the barrel turns and the shot flies, nothing else has to be shown anew.
+func _show_moment(seconds: float) -> void:
+	_model.time = seconds
+	_drawing.show_flight(_model, _shots, step)
 
 
 func _points() -> Array[Vec2]:

@@ -5,15 +5,13 @@ extends Lesson
 # In the opening the shot at where the target is now waits so long, in seconds, before it flies
 # again.
 const _PAUSE := 0.8
-# A flight lasts at most so many seconds of the student's: one that is longer runs faster.
-const _LONGEST_SHOWN := 8.0
 
 var _model := LeadTargetModel.new()
 var _shots: LeadShots
 var _formula: LeadTargetFormula
 var _readout: LeadTargetReadout
+var _clock: FlightClock
 
-@onready var _transport: Transport = services.get(&"transport")
 @onready var _drawing: LeadTargetDrawing = %Drawing
 @onready var _velocity: DraggableVector = %Velocity
 @onready var _own: DraggableVector = %Own
@@ -35,9 +33,8 @@ func start() -> void:
 	on_drag(_own.moved, _own.released, _move_shooter)
 	on_drag(_radius_handle.moved, _radius_handle.released, _drag_radius)
 	on_drag(_speed_handle.moved, _speed_handle.released, _drag_speed)
-	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _move_places(_model.shooter, at))
-	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _move_places(at, _model.target))
-	_graph.moment_pointed.connect(_go_to)
+	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_places(_model.shooter, at))
+	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_places(at, _model.target))
 	add_child(CardPlace.new(_graph, board, services[&"formula"]))
 	_formula = LeadTargetFormula.new(services[&"formula"] as Formula)
 	_readout = LeadTargetReadout.new(services[&"readout"] as Readout)
@@ -46,24 +43,24 @@ func start() -> void:
 	var questions := services[&"question"] as Question
 	var kinds := LeadExercise.Kind.size()
 	questions.offer(LeadExercise.fresh, kinds, 0, LeadExercise.of_the_table)
-	on_enter(_enter)
+	on_enter(_model.enter)
 	on_pick(_take)
-	# While the shot flies, nothing else has to be shown anew.
-	_transport.advanced.connect(_fly)
-	step_changed.connect(_rewind)
+	var end := func() -> float: return _shots.end(step)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
+	_graph.moment_pointed.connect(_clock.go_to)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _points)
+	about_to_show.connect(_clock.go_to.bind(0.0))
 	open_with(_play_shot)
 
 
 # What moves by itself: the shot at where the target is now, again and again.
 func _play_shot(seconds: float) -> void:
-	var end := _shots.end(LeadTargetModel.Step.NOW)
-	_model.time = minf(fmod(seconds, end + _PAUSE), end)
+	_clock.repeat(seconds, _PAUSE)
 
 
-# What the student does. What is changed flies from the beginning.
+# What the student does. After each change the shot flies from the beginning.
 
 
 func _move_target(tail: Vec2, head: Vec2) -> String:
@@ -98,13 +95,7 @@ func _drag_speed(at: Vec2) -> String:
 	return _take({"speed": maxf(wanted, 1.0)})
 
 
-func _enter(name_in_line: String, value: float) -> String:
-	_rewind()
-	return _model.enter(name_in_line, value)
-
-
 func _take(changes: Dictionary) -> String:
-	_rewind()
 	var problem := _model.take(changes)
 	if changes.has("mistake") and not problem:
 		_model.show_mistake(_model.mistake)
@@ -113,28 +104,13 @@ func _take(changes: Dictionary) -> String:
 	return problem
 
 
-func _rewind() -> void:
-	_model.time = 0.0
+# What the student sees.
 
 
-# At its end a flight stops; Play begins it anew.
-func _fly(seconds: float) -> void:
-	var end := _shots.end(step)
-	if _transport.is_playing and _model.time >= end:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds * maxf(1.0, end / _LONGEST_SHOWN), 0.0, end)
-	if _model.time == end:
-		_transport.is_playing = false
-	_drawing.show_flight(_model, _shots, step)
-
-
-func _go_to(seconds: float) -> void:
-	pause()
+# While the shot flies, nothing else has to be shown anew.
+func _show_moment(seconds: float) -> void:
 	_model.time = seconds
 	_drawing.show_flight(_model, _shots, step)
-
-
-# What the student sees.
 
 
 func _points() -> Array[Vec2]:

@@ -33,7 +33,7 @@ static func _lines_on_time(equation: LeadEquation) -> PackedStringArray:
 		"var a := v.length_squared() - speed * speed",
 		"var b := p.dot(v) - speed * radius",
 		"var c := p.length_squared() - radius * radius",
-		"var root := sqrt(max(b * b - a * c, 0.0))",
+		"var root := sqrt(maxf(b * b - a * c, 0.0))",
 		"var t := -(b + root) / a" if equation.b > 0.0 else "var t := c / (root - b)",
 	]
 
