@@ -26,20 +26,22 @@ func start() -> void:
 	_model.barrel_degrees = _own_degrees_at(nozzle)
 	_model.target = _mark.at()
 	_model.radius = _mark.radius
-	_let_drag(%HullHandle as Handle, _move_hull)
-	_let_drag(%FrontHandle as Handle, _turn_hull)
-	_let_drag(%BarrelHandle as Handle, _turn_barrel)
-	_let_drag(%TargetHandle as Handle, _move_target)
+	on_handle(%HullHandle as Handle, _move_hull)
+	on_handle(%FrontHandle as Handle, _turn_hull)
+	on_handle(%BarrelHandle as Handle, _turn_barrel)
+	on_handle(%TargetHandle as Handle, _move_target)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_target(_snapped(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_hull(_snapped(at)))
 	_formula = AimAtFormula.new(services[&"formula"] as Formula)
 	_readout = AimAtReadout.new(services[&"readout"] as Readout)
 	(services[&"options"] as LessonOptions).offer_presets(AimAtModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(AimAtMistakes.infos())
+	var gallery := services[&"mistakes"] as Mistakes
+	gallery.add_all(AimAtMistakes.infos())
+	gallery.mistake_picked.connect(_go_to_mistake)
 	var questions := services[&"question"] as Question
 	questions.offer(AimExercise.fresh, AimExercise.Kind.size(), 0, AimExercise.of_the_table)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take)
 	var end := func() -> float: return _shots.end(step)
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	# Not during a drag: measuring would slow it down.
@@ -56,24 +58,20 @@ func _swing(seconds: float, first: float) -> void:
 	_model.hull_degrees = AimAtModel.short(snappedf(first + _SWING * share, 0.01))
 
 
-func _let_drag(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
-
-
 # What the student does. After each change the shot flies from the beginning.
 
 
 func _move_hull(to: Vec2) -> String:
-	return _take({"hull": [to.x, to.y]})
+	return _model.take({"hull": [to.x, to.y]})
 
 
 func _turn_hull(to: Vec2) -> String:
 	var way := to.minus(_model.hull)
-	return _take({"hull_degrees": AimAtModel.short(roundf(way.angle_degrees()))})
+	return _model.take({"hull_degrees": AimAtModel.short(roundf(way.angle_degrees()))})
 
 
 func _turn_barrel(to: Vec2) -> String:
-	return _take({"barrel_degrees": _own_degrees_at(to)})
+	return _model.take({"barrel_degrees": _own_degrees_at(to)})
 
 
 # How far a barrel that points at a place is turned on the hull, to whole degrees.
@@ -83,27 +81,18 @@ func _own_degrees_at(place: Vec2) -> float:
 
 
 func _move_target(to: Vec2) -> String:
-	return _take({"target": [to.x, to.y]})
+	return _model.take({"target": [to.x, to.y]})
 
 
 func _snapped(at: Vec2) -> Vec2:
 	return board.snapped_to_step(at)
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
-	if changes.has("mistake") and not problem:
-		_model.show_mistake(_model.mistake)
-		_go_to_mistake()
-	return problem
-
-
 # A mistake is shown beside what is right: at the step of that.
-func _go_to_mistake() -> void:
-	var wanted := AimAtModel.Step.FIRE
-	if _model.mistake == AimAtMistakes.LONG_WAY:
-		wanted = AimAtModel.Step.TURN
-	if _model.mistake != 0:
+func _go_to_mistake(number: int) -> void:
+	var is_long := number == AimAtMistakes.LONG_WAY
+	var wanted := AimAtModel.Step.TURN if is_long else AimAtModel.Step.FIRE
+	if number != 0:
 		(services[&"steps"] as Steps).go_to(wanted)
 
 

@@ -16,8 +16,6 @@ var _clock: FlightClock
 @onready var _velocity: DraggableVector = %Velocity
 @onready var _own: DraggableVector = %Own
 @onready var _mark: TargetMark = %Mark
-@onready var _radius_handle: Handle = %RadiusHandle
-@onready var _speed_handle: Handle = %SpeedHandle
 @onready var _one_second: ReachCircle = %OneSecond
 @onready var _graph: LeadGraph = %Graph
 
@@ -31,20 +29,22 @@ func start() -> void:
 	_model.radius = _mark.radius
 	on_drag(_velocity.moved, _velocity.released, _move_target)
 	on_drag(_own.moved, _own.released, _move_shooter)
-	on_drag(_radius_handle.moved, _radius_handle.released, _drag_radius)
-	on_drag(_speed_handle.moved, _speed_handle.released, _drag_speed)
+	on_handle(%RadiusHandle as Handle, _drag_radius)
+	on_handle(%SpeedHandle as Handle, _drag_speed)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_places(_model.shooter, at))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_places(at, _model.target))
 	add_child(CardPlace.new(_graph, board, services[&"formula"]))
 	_formula = LeadTargetFormula.new(services[&"formula"] as Formula)
 	_readout = LeadTargetReadout.new(services[&"readout"] as Readout)
 	(services[&"options"] as LessonOptions).offer_presets(LeadTargetModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(LeadTargetMistakes.infos())
+	var gallery := services[&"mistakes"] as Mistakes
+	gallery.add_all(LeadTargetMistakes.infos())
+	gallery.mistake_picked.connect(_go_to_mistake)
 	var questions := services[&"question"] as Question
 	var kinds := LeadExercise.Kind.size()
 	questions.offer(LeadExercise.fresh, kinds, 0, LeadExercise.of_the_table)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take)
 	var end := func() -> float: return _shots.end(step)
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	_graph.moment_pointed.connect(_clock.go_to)
@@ -77,31 +77,28 @@ func _take_moved(
 ) -> String:
 	var is_tail := head.distance_to(before.plus(velocity)) == 0.0
 	var wanted := velocity if is_tail else head.minus(tail)
-	return _take({place: [tail.x, tail.y], moves: [wanted.x, wanted.y]})
+	return _model.take({place: [tail.x, tail.y], moves: [wanted.x, wanted.y]})
 
 
 func _move_places(shooter: Vec2, target: Vec2) -> String:
 	var from := board.snapped_to_step(shooter) if shooter != _model.shooter else shooter
 	var to := board.snapped_to_step(target) if target != _model.target else target
-	return _take({"shooter": [from.x, from.y], "target": [to.x, to.y]})
+	return _model.take({"shooter": [from.x, from.y], "target": [to.x, to.y]})
 
 
 func _drag_radius(knob: Vec2) -> String:
-	return _take({"radius": _drawing.radius_for(_model, knob)})
+	return _model.take({"radius": _drawing.radius_for(_model, knob)})
 
 
 func _drag_speed(at: Vec2) -> String:
 	var wanted := roundf(at.distance_to(_model.shooter))
-	return _take({"speed": maxf(wanted, 1.0)})
+	return _model.take({"speed": maxf(wanted, 1.0)})
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
-	if changes.has("mistake") and not problem:
-		_model.show_mistake(_model.mistake)
-		if _model.mistake != 0 and step < LeadTargetModel.Step.AIM:
-			(services[&"steps"] as Steps).go_to(LeadTargetModel.Step.FIRE)
-	return problem
+# A mistake is shown beside the right shot: at the step of that, or later.
+func _go_to_mistake(number: int) -> void:
+	if number != 0 and step < LeadTargetModel.Step.AIM:
+		(services[&"steps"] as Steps).go_to(LeadTargetModel.Step.FIRE)
 
 
 # What the student sees.

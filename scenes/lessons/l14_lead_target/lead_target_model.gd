@@ -197,6 +197,14 @@ func show_mistake(number: int) -> void:
 			Refusal.push(take(PRESETS[preset]))
 
 
+## Takes other values; a mistake that is switched on is shown where it makes a difference.
+func take(changes: Dictionary) -> String:
+	var problem := super(changes)
+	if changes.has("mistake") and not problem:
+		show_mistake(mistake)
+	return problem
+
+
 ## Where the target's centre is after [param seconds]; [param as_seen] by the shooter, or on the
 ## ground.
 func target_after(seconds: float, as_seen: bool) -> Vec2:

@@ -91,7 +91,8 @@ func test_a_target_nearer_than_the_nozzle_is_not_hit() -> void:
 
 
 func test_without_a_direction_there_is_no_mistake() -> void:
-	_change({"target": [-80.0, -70.0], "mistake": AimAtMistakes.SWAPPED})
+	_change({"target": [-80.0, -70.0]})
+	_model.mistake = AimAtMistakes.SWAPPED
 	assert_eq(_model.shot_case(), AimAtModel.Case.NO_DIRECTION)
 	assert_false(_model.shows_mistake())
 
