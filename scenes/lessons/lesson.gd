@@ -185,6 +185,11 @@ func on_drag(moved: Signal, released: Signal, change: Callable) -> void:
 	released.connect(finish_edit)
 
 
+## The same for [param handle], a [Handle], whose own signals tell of the drag.
+func on_handle(handle: Control, change: Callable) -> void:
+	on_drag(Signal(handle, &"moved"), Signal(handle, &"released"), change)
+
+
 ## When a number in the formula is typed over, [param change] gets its name and its new value; the
 ## change is complete.
 func on_enter(change: Callable) -> void:

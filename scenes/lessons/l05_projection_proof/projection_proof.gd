@@ -26,11 +26,11 @@ func start() -> void:
 	set_process(false)
 	_model.set_a((%HeadA as Handle).at())
 	_model.set_b((%HeadB as Handle).at())
-	_let_drag(%HeadA as Handle, _model.set_a)
-	_let_drag(%HeadB as Handle, _model.set_b)
+	on_handle(%HeadA as Handle, _model.set_a)
+	on_handle(%HeadB as Handle, _model.set_b)
 	# What is seen turned is dragged turned.
-	_let_drag(%HeadTurnedA as Handle, _model.set_turned_a)
-	_let_drag(%HeadTurnedB as Handle, _model.set_reach_of_turned_b)
+	on_handle(%HeadTurnedA as Handle, _model.set_turned_a)
+	on_handle(%HeadTurnedB as Handle, _model.set_reach_of_turned_b)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _model.set_a(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _model.set_b(board.snapped_to_step(at)))
 	_plot.x_pointed.connect(_turn_to)
@@ -47,10 +47,6 @@ func start() -> void:
 	_model.turned_share = 0.0
 	begin(_model, _show, _model.points_to_show)
 	open_with(_swing.bind(_model.a.copy()))
-
-
-func _let_drag(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
 
 
 # The turn is not part of the state: undo and reset change the vectors, and the turn goes on.

@@ -21,12 +21,12 @@ func start() -> void:
 	_model.along = _line_end.at()
 	_model.fit_bounciness(_leaving_head.at())
 	_model.normal_length = normal_length
-	_let_drag(_velocity_head, _aim)
-	_let_drag(%ComingTail as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
-	_let_drag(_line_end, _turn_line)
-	_let_drag(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
-	_let_drag(%NormalHead as Handle, _drag_normal)
-	_let_drag(_leaving_head, _drag_leaving)
+	on_handle(_velocity_head, _aim)
+	on_handle(%ComingTail as Handle, func(at: Vec2) -> void: _aim(Vec2.new().minus(at)))
+	on_handle(_line_end, _turn_line)
+	on_handle(%LineStart as Handle, func(at: Vec2) -> void: _turn_line(Vec2.new().minus(at)))
+	on_handle(%NormalHead as Handle, _drag_normal)
+	on_handle(_leaving_head, _drag_leaving)
 	add_child(CardPlace.new(%Table as Control, board, services[&"formula"]))
 	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
 	var options := services[&"options"] as LessonOptions
@@ -43,10 +43,6 @@ func start() -> void:
 	about_to_show.connect(_tell_refusal)
 	begin(_model, _show, _spanned_points)
 	open_with(_play_shot)
-
-
-func _let_drag(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
 
 
 # What moves by itself: the ball flies in, bounces and flies off, once. Then it waits at the start.
