@@ -106,6 +106,11 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"a right angle",
 		],
 	},
+	&"ballistic_aim":
+	{
+		words = ["mistake:", "w has no root: no t", "no t", "no d", "no direction"],
+		not_shown = ["D"],
+	},
 	&"error_and_time":
 	{
 		words =

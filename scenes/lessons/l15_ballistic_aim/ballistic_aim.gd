@@ -132,7 +132,7 @@ func _spanned_points() -> Array[Vec2]:
 		others.append(_model.target.plus(_model.velocity.scaled(seconds)))
 	if _model.has_shot() and _step() >= BallisticAimModel.Step.ARCS:
 		others.append(_model.aim_point(_model.shot()))
-		others.append(_model.shot().target)
+		others.append_array(_model.shots().map(func(shot: Aim) -> Vec2: return shot.target))
 	var most := maxf(_NEAREST, _FARTHEST * _model.target.length())
 	for other in others:
 		other.limit_length(most)

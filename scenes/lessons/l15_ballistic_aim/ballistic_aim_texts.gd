@@ -2,7 +2,6 @@ class_name BallisticAimTexts
 extends RefCounted
 ## The sentences and the verdict of the lesson on aiming under gravity, step by step.
 
-
 ## What is behind a symbol of the aims that hit, the earliest first.
 const SUBSCRIPTS: PackedStringArray = ["₁", "₂", "₃", "₄"]
 
