@@ -15,6 +15,9 @@ const AT_REST := 104
 ## Gravity is left out.
 const NO_GRAVITY := 105
 
+# Two directions that differ by less are one aim.
+const _ONE_AIM := 1e-9
+
 
 ## The shot to which a mistake leads, or none.
 class WrongShot:
@@ -35,8 +38,15 @@ static func right_shots(target: AimTarget, gravity: Vec2, speed: float) -> Array
 	if target.position.length() == 0.0:
 		return []
 	if target.velocity.length() == 0.0 and target.acceleration.length() == 0.0:
-		return BallisticAim.at_fixed(here, target.position, gravity, speed)
+		return _apart(BallisticAim.at_fixed(here, target.position, gravity, speed))
 	return BallisticAim.at_moving(here, target, gravity, speed, BallisticAimModel.LONGEST)
+
+
+# At the edge of what can be reached both arcs are one.
+static func _apart(aims: Array[Aim]) -> Array[Aim]:
+	if aims.size() == 2 and aims[0].direction.distance_to(aims[1].direction) <= _ONE_AIM:
+		aims.resize(1)
+	return aims
 
 
 ## The shot to which the mistake that is switched on in [param model] leads: of several, that in the

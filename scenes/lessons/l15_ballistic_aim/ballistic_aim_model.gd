@@ -23,7 +23,7 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	"Faster": {target = [200, 0], speed = 500.0, gravity = 300.0, moves = false, falls = false},
 	"g = 0": {target = [200, -50], speed = 250.0, gravity = 0.0, moves = false, falls = false},
 	"Falling target":
-	{target = [160, -120], speed = 250.0, gravity = 300.0, moves = false, falls = true},
+	{target = [160, -120], speed = 400.0, gravity = 300.0, moves = false, falls = true},
 	"Moving target":
 	{
 		target = [200, 0],
@@ -282,6 +282,12 @@ func mistake_shows() -> bool:
 	if has_shot():
 		off = wrong_shot().direction.distance_to(shot().direction)
 	return off > 1e-9
+
+
+## Whether the forgotten half makes half of the right time of flight: for a target on the level.
+func says_half() -> bool:
+	var is_level := is_fixed() and target.y == 0.0 and gravity > 0.0
+	return mistake == BallisticAimMistakes.HALF and is_level and has_shot()
 
 
 ## Until when the bullet of the mistake is flown: until it is nearest to the target.

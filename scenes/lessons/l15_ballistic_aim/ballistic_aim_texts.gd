@@ -114,11 +114,19 @@ static func _on_mistake(model: BallisticAimModel) -> String:
 	if model.mistake == BallisticAimMistakes.NOT_TESTED:
 		return LabText.translate("the mistake takes the root of w < 0: NaN, the bullet is lost")
 	if not model.wrong_shot().hit:
-		return LabText.translate("the mistake finds no aim")
+		return _on_no_aim(model)
 	return (
 		LabText.translate("the mistake misses by %s px")
 		% NumberText.short(model.wrong_shot().miss.distance, 3)
 	)
+
+
+static func _on_no_aim(model: BallisticAimModel) -> String:
+	if not model.says_half():
+		return LabText.translate("the mistake finds no aim")
+	var halved := BallisticAimMistakes.halved_time(model.shot().time)
+	var times := [NumberText.short(halved), NumberText.short(model.shot().time)]
+	return LabText.translate("the mistake says t = %s, not %s, and finds no aim") % times
 
 
 static func _on_straight(model: BallisticAimModel) -> String:
@@ -130,7 +138,7 @@ static func _on_straight(model: BallisticAimModel) -> String:
 		return LabText.translate(
 			"Aimed straight at the target, the bullet falls and comes too low."
 		)
-	if not model.moves:
+	if model.own_velocity().length() == 0.0:
 		return LabText.translate("The target starts to fall as the shot is fired. Press Play.")
 	return LabText.translate("The target moves while the bullet flies and falls. Press Play.")
 

@@ -106,7 +106,11 @@ func _shots(v: Pair, fall: float, own_fall: float, speed: float) -> Array[Way]:
 		var way := Pair.new(_p.x + v.x * time, _p.y + v.y * time + 0.5 * bend * time * time)
 		shot.dx = way.x / way.size()
 		shot.dy = way.y / way.size()
-		found.append(shot)
+		var is_same := (
+			found and absf(shot.dx - found[-1].dx) + absf(shot.dy - found[-1].dy) < _SLACK
+		)
+		if not is_same or not _is_fixed():
+			found.append(shot)
 	return found
 
 
@@ -324,6 +328,7 @@ func _claims_of_card() -> Dictionary[String, bool]:
 		"the mistake takes the root of w < 0: NaN": compares and _mistake == _NOT_TESTED and is_out,
 		"the mistake finds no aim":
 		compares and _can_show() and (_wrong_shots(_s).is_empty() or _is_uncertain()),
+		"the mistake says t = ": compares and _mistake == _HALF and _p.y == 0.0 and _can_show(),
 		"the mistake misses by ": compares and _can_show(),
 	}
 
@@ -344,21 +349,35 @@ func _problem_of_numbers(lines: PackedStringArray) -> String:
 		return "the least speed is %s: “%s”" % [_least(), lines[0]]
 	if _is_uncertain():
 		return ""
-	var rounding := _rounding()
+	var problems: PackedStringArray = []
 	for line in lines:
-		var shown := SeenLesson.number_behind("eps × condition ", line)
-		if not is_nan(shown) and not absf(shown - rounding) <= 0.1 * rounding:
-			return "rounding may move it by %s: “%s”" % [rounding, line]
-		shown = SeenLesson.number_behind("miss ", line)
-		if not is_nan(shown) and not shown <= _MOST_ROUNDINGS * rounding:
-			return "rounding alone makes no more than %s: “%s”" % [rounding, line]
-		shown = SeenLesson.number_behind("misses by ", line)
-		if not is_nan(shown):
-			var miss := _wrong_miss()
-			var off := 0.0051 * miss + 1e-9 * _p.size() + _EPSILON * 1e6
-			if not absf(shown - miss) <= off:
-				return "it misses by %s: “%s”" % [miss, line]
+		problems.append(_problem_of_miss(line))
+		problems.append(_problem_of_mistake(line))
+	return first_of(problems)
+
+
+func _problem_of_miss(line: String) -> String:
+	var rounding := _rounding()
+	var shown := SeenLesson.number_behind("eps × condition ", line)
+	if not is_nan(shown) and not absf(shown - rounding) <= 0.1 * rounding:
+		return "rounding may move it by %s: “%s”" % [rounding, line]
+	shown = SeenLesson.number_behind("miss ", line)
+	if not is_nan(shown) and not shown <= _MOST_ROUNDINGS * rounding:
+		return "rounding alone makes no more than %s: “%s”" % [rounding, line]
 	return ""
+
+
+func _problem_of_mistake(line: String) -> String:
+	var shown := SeenLesson.number_behind("says t = ", line)
+	var half := 0.5 * _chosen(_right_shots(_s)).time if not _can_be(0) else NAN
+	if not is_nan(shown) and not SeenLesson.is_close(shown, half, 0.0):
+		return "half of the time is %s: “%s”" % [half, line]
+	shown = SeenLesson.number_behind("misses by ", line)
+	if is_nan(shown):
+		return ""
+	var miss := _wrong_miss()
+	var off := 0.0051 * miss + 1e-9 * _p.size() + _EPSILON * 1e6
+	return "" if absf(shown - miss) <= off else "it misses by %s: “%s”" % [miss, line]
 
 
 # How far the shot moves by a change of each of its numbers by one part, times eps.

@@ -88,6 +88,30 @@ const CASES: Array[Dictionary] = [
 		id = &"ballistic_aim",
 		state =
 		{
+			target = [200, 0],
+			velocity = [-60, 0],
+			speed = 250.0,
+			gravity = 300.0,
+			moves = false,
+			falls = false,
+			arc = 0,
+			mistake = 102,
+		},
+		step = [3, 1],
+		verdict_sign = ["✗", "2"],
+		verdict =
+		[
+			["2 aims hit", "the mistake says t = 0.5, not 1, and finds no aim"],
+			["2 aims hit", "the mistake says t = 1, not 1, and finds no aim"],
+			["2 aims hit", "the mistake misses by 146 px"],
+		],
+		sentence =
+		["Two directions hit, d = D / |D|: the flat arc, and the high arc, which takes longer."],
+	},
+	{
+		id = &"ballistic_aim",
+		state =
+		{
 			target = [0, -120],
 			velocity = [-240, 300],
 			speed = 250.0,
