@@ -28,6 +28,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"line_ends": ["shot=-6,-8,6,16,4&time=0.25"],
 	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1", "has_five=true&fifth=3,-1"],
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
+	"ballistic_aim":
+	["target=80,-60&speed=200&gravity=250", "moves=true&velocity=30,-40&arc=1", "gravity=0"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -85,6 +87,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"fifth=1e7,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"a=1e7,0,0,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"view=0,2": "view must be within −1.4..1.4, not 2.",
+	},
+	"ballistic_aim":
+	{
+		"speed=0": "s must be within 1..100000, not 0.",
+		"gravity=-1": "g must be within 0..100000, not −1.",
+		"arc=4": "arc must be within 0..3, not 4.",
+		"mistake=9": "mistake must be one of 0, 101, ",
 	},
 	"error_and_time":
 	{

@@ -183,10 +183,13 @@ func _show_verdict(model: BallisticAimModel, step: BallisticAimModel.Step) -> vo
 	_verdict.show_verdict(sign_text, role, BallisticAimTexts.verdict(model, step))
 	var board := _verdict.get_parent() as Board
 	var places: PackedVector2Array = [
-		board.to_screen(model.target), board.to_screen(Vec2.zero()), board.to_screen(_aim_head())
+		board.to_screen(Vec2.zero()),
+		board.to_screen(model.target),
+		board.to_screen(Vec2.from_vector2(_gravity.head)),
+		board.to_screen(Vec2.from_vector2(_speed.head)),
 	]
+	if _aim.visible:
+		places.append(board.to_screen(Vec2.from_vector2(_aim.head)))
+	if _miss.visible:
+		places.append(board.to_screen(Vec2.from_vector2(_miss.from)))
 	_verdict.keep_off(places, 24.0)
-
-
-func _aim_head() -> Vec2:
-	return Vec2.from_vector2(_aim.head) if _aim.visible else Vec2.zero()

@@ -55,8 +55,9 @@ func _time_lines(model: BallisticAimModel) -> PackedStringArray:
 	if not model.is_fixed():
 		return ["{D}(t) = " + _way_in_words(model), _all_times(model)]
 	var found: PackedStringArray = [
-		"|{P}| = {length}     b = {s_}² + {g_} {P}.y = {s_value}² + {g_value}·{y_value} = {b}",
-		"w = b² − ({g_} |{P}|)² = {b}² − ({g_value}·{length})² = {w}",
+		"b = {s_}² + {g_} {P}.y = {s_value}² + {g_value}·{y_value} = {b}",
+		"|{P}| = {length}     {g_} |{P}| = {g_value}·{length} = {pulled}",
+		"w = (b − {g_} |{P}|) (b + {g_} |{P}|) = ({b} − {pulled}) ({b} + {pulled}) = {w}",
 	]
 	if not model.has_shot():
 		found.append(tr("w has no root: no t"))
@@ -162,6 +163,7 @@ func _put_quadratic(model: BallisticAimModel) -> void:
 	var terms := model.speed * model.speed + model.gravity * absf(model.target.y)
 	_formula.put_sum("b", b, terms, Palette.Role.INK)
 	_formula.put_sum("w", model.w(), terms * terms, Palette.Role.INK)
+	_formula.put_number("pulled", model.gravity * model.target.length(), Palette.Role.INK)
 	_formula.put_number("root", sqrt(maxf(model.w(), 0.0)), Palette.Role.INK)
 
 

@@ -134,7 +134,7 @@ static func infos() -> Array[MistakeInfo]:
 				(
 					LabText
 					. translate(
-						"The target is not there any more when the bullet comes. Above one that falls it is too high."
+						"When the bullet comes, the target is somewhere else. A falling one is lower."
 					)
 				),
 				tests + "a_falling_target_is_aimed_at_straight",

@@ -23,21 +23,33 @@ func measure(model: BallisticAimModel) -> void:
 func show_model(model: BallisticAimModel, step: BallisticAimModel.Step) -> void:
 	_readout.visible = step >= BallisticAimModel.Step.ARCS
 	if not model.has_shot():
-		_show("careful", [tr_of("t of hit"), tr_of("none"), "", _time("careful")])
-		_show("slide", [tr_of("by tangents"), tr_of("none"), "", ""])
+		_show(
+			"careful",
+			[LabText.translate("t of hit"), LabText.translate("none"), "", _time("careful")]
+		)
+		_show("slide", [LabText.translate("by tangents"), LabText.translate("none"), "", ""])
 		return
-	_show_time("careful", tr_of("t of hit"), model.shot().time, model)
+	_show_time("careful", LabText.translate("t of hit"), model.shot().time, model)
 	if not model.is_fixed():
-		_show("slide", [tr_of("by tangents"), tr_of("only at rest"), "", ""])
+		_show(
+			"slide", [LabText.translate("by tangents"), LabText.translate("only at rest"), "", ""]
+		)
 	elif model.gravity == 0.0 or model.target.x == 0.0:
-		_show("slide", [tr_of("by tangents"), tr_of("divides by 0"), "", ""])
+		_show(
+			"slide", [LabText.translate("by tangents"), LabText.translate("divides by 0"), "", ""]
+		)
 	else:
 		var aims := _by_the_slide(model)
 		# At the edge rounding alone can take them away.
 		if aims.is_empty():
-			_show("slide", [tr_of("by tangents"), tr_of("none"), "", _time("slide")])
+			_show(
+				"slide",
+				[LabText.translate("by tangents"), LabText.translate("none"), "", _time("slide")]
+			)
 		else:
-			_show_time("slide", tr_of("by tangents"), aims[model.arc_flown()].time, model)
+			_show_time(
+				"slide", LabText.translate("by tangents"), aims[model.arc_flown()].time, model
+			)
 
 
 func _show_time(key: String, title: String, seconds: float, model: BallisticAimModel) -> void:
@@ -55,7 +67,3 @@ func _time(key: String) -> String:
 
 static func _by_the_slide(model: BallisticAimModel) -> Array[Aim]:
 	return BallisticAim.at_fixed_by_the_slide(Vec2.zero(), model.target, model.gravity, model.speed)
-
-
-static func tr_of(text: String) -> String:
-	return LabText.translate(text)

@@ -68,10 +68,7 @@ static func verdict(model: BallisticAimModel, step: BallisticAimModel.Step) -> P
 	if step == BallisticAimModel.Step.FIRE and model.has_shot():
 		words = [
 			LabText.translate("miss %s px") % NumberText.size(model.miss().distance),
-			(
-				LabText.translate("eps × condition %s px: so far rounding alone may move it")
-				% NumberText.size(model.rounding())
-			),
+			LabText.translate("eps × condition %s px") % NumberText.size(model.rounding()),
 		]
 	if model.mistake != 0 and BallisticAimModel.is_of_arcs(step):
 		words.append(_on_mistake(model))
@@ -145,7 +142,7 @@ static func _on_straight(model: BallisticAimModel) -> String:
 
 static func _on_drop(model: BallisticAimModel) -> String:
 	if model.gravity == 0.0:
-		return LabText.translate("g = 0: in no time does it fall. There is nothing to aim above.")
+		return LabText.translate("g = 0: the bullet does not fall at all.")
 	if model.falls:
 		return LabText.translate("In t seconds the bullet falls g t² / 2, and so does the target.")
 	if not model.is_fixed():
@@ -208,4 +205,6 @@ static func _on_fire(model: BallisticAimModel) -> String:
 		return LabText.translate("No aim hits, and nothing is fired.")
 	if model.mistake_shows():
 		return LabText.translate("Fire: press Play. What the mistake does is dashed.")
-	return LabText.translate("Fire: press Play. It hits; what is left is rounding.")
+	return LabText.translate(
+		"Fire: press Play. Rounding alone may make it miss by eps × condition."
+	)

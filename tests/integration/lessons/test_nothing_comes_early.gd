@@ -61,6 +61,8 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 	{"InfiniteTwoSided": 1, "SegmentOneSided": 2, "RoundCaps": 3, "Graph": 4, _TABLE: 5},
 	&"more_dimensions": {"Stairs": 1, "Shadow": 3, "VerdictCard": 3, _TABLE: 4},
 	&"error_and_time": {_TABLE: 1},
+	&"ballistic_aim":
+	{"Drop": 1, "Verdict": 2, "Arc1": 3, "Arc2": 3, "Aim": 3, _TABLE: 3, "Envelope": 4, "Least": 4},
 }
 
 

@@ -261,7 +261,7 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		"The target starts to fall as the shot is fired": is_there and _step == 0 and _falls,
 		"The target moves while the bullet flies and falls":
 		is_there and _step == 0 and _moves and _g > 0.0 and _v.size() > 0.0,
-		"g = 0: in no time does it fall": is_there and _step == _DROP and _g == 0.0,
+		"g = 0: the bullet does not fall at all": is_there and _step == _DROP and _g == 0.0,
 		"In t seconds the bullet falls g t² / 2, and so does the target":
 		is_there and _step == _DROP and _falls and _g > 0.0,
 		"In t seconds the bullet falls g t² / 2, and the target moves by V t":
@@ -289,7 +289,8 @@ func _claims_of_sentences() -> Dictionary[String, bool]:
 		"No aim hits, and nothing is fired":
 		is_there and _step == _FIRE and _can_be(0) and (_mistake == 0 or _can_hide()),
 		"Fire: press Play. What the mistake does is dashed": _step == _FIRE and _can_show(),
-		"Fire: press Play. It hits": _step == _FIRE and has_one and (_mistake == 0 or _can_hide()),
+		"Fire: press Play. Rounding alone may make it miss by eps × condition":
+		_step == _FIRE and has_one and (_mistake == 0 or _can_hide()),
 	}
 
 

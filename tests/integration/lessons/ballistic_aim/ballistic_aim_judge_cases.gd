@@ -30,7 +30,7 @@ const CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"Fire: press Play. What the mistake does is dashed.",
-			"Fire: press Play. It hits; what is left is rounding.",
+			"Fire: press Play. Rounding alone may make it miss by eps × condition.",
 			"No aim hits, and nothing is fired.",
 			"Shooter and target are in one place: there is nothing to aim at.",
 			"One direction hits: d = D / |D|.",
