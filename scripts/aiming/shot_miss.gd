@@ -26,11 +26,19 @@ static func of(
 	var way := target.position.minus(start)
 	var closing := target.velocity.minus(velocity)
 	var bend := target.acceleration.minus(gravity)
+	var moments := _nearest_times(way, closing, bend, longest)
+	moments.append_array([0.0, computed])
 	var shot := FiredShot.new(start, velocity, gravity)
+	return nearest_of(shot, target.position_after, moments)
+
+
+## The miss of [param shot] at the one of these [param moments], in seconds after it, at which it is
+## nearest to a target that is at [code]place.call(seconds)[/code].
+static func nearest_of(shot: FiredShot, place: Callable, moments: PackedFloat64Array) -> ShotMiss:
 	var found := ShotMiss.new()
 	found.distance = INF
-	for time in _nearest_times(way, closing, bend, longest) + PackedFloat64Array([0.0, computed]):
-		var apart := shot.distance_after(time, target.position_after)
+	for time in moments:
+		var apart := shot.distance_after(time, place)
 		if apart < found.distance:
 			found.distance = apart
 			found.moment = time
