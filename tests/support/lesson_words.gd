@@ -106,6 +106,15 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"a right angle",
 		],
 	},
+	&"lead_target":
+	{
+		words =
+		[
+			"no root from 0 on",
+			"they touch already",
+			"a is 0 but for rounding: the hit is very far away",
+			"mistake:",
+		],
 	&"ballistic_aim":
 	{
 		words = ["mistake:", "w has no root: no t", "no t", "no d", "no direction"],

@@ -1,59 +1,158 @@
 extends Lesson
-## Aim at: a vector that can be dragged or typed, and its length.
-##
-## Undo, reset and links need no line here, because the model can be stored.
+## The lesson on aiming at a target: a barrel on a hull that turns. Where both stand and where the
+## target is at the start is in the scene.
 
-var _model := LengthModel.new()
+# In the opening the hull swings so far to both sides, in degrees, and so often in 20 seconds.
+const _SWING := 40.0
+const _SWINGS := 4.0
+# A flight lasts at most so many seconds of the student's: one that is longer runs faster.
+const _LONGEST_SHOWN := 6.0
 
-# Where v lies at the start is in the scene: select V in the editor and change its head.
-@onready var _v: DraggableVector = %V
-@onready var _formula: Formula = services.get(&"formula")
-@onready var _readout: Readout = services.get(&"readout")
+var _model := AimAtModel.new()
+var _shots: AimShots
+var _formula: AimAtFormula
+var _readout: AimAtReadout
 
-
-## What is kept, and what is computed from it.
-class LengthModel:
-	extends LessonModel
-	var v := Vec2.new()
-
-	func to_dictionary() -> Dictionary:
-		return {"v": PackedFloat64Array([v.x, v.y])}
-
-	func from_dictionary(stored: Dictionary) -> void:
-		var numbers: PackedFloat64Array = stored["v"]
-		v.set_xy(numbers[0], numbers[1])
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _drawing: AimAtDrawing = %Drawing
+@onready var _hull: TankHull = %Hull
+@onready var _barrel: GunBarrel = %Barrel
+@onready var _mark: TargetMark = %Mark
 
 
 func start() -> void:
-	_drag(_v.tail_point(), _v.head_point())
-	on_drag(_v.moved, _v.released, _drag)
+	_model.hull = _hull.at()
+	_model.hull_degrees = _hull.degrees
+	var nozzle := Vec2.from_vector2(_barrel.nozzle)
+	_model.length = roundf(nozzle.distance_to(_model.hull))
+	_model.barrel_degrees = _own_degrees_at(nozzle)
+	_model.target = _mark.at()
+	_model.radius = _mark.radius
+	_let_drag(%HullHandle as Handle, _move_hull)
+	_let_drag(%FrontHandle as Handle, _turn_hull)
+	_let_drag(%BarrelHandle as Handle, _turn_barrel)
+	_let_drag(%TargetHandle as Handle, _move_target)
+	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_target(_snapped(at)))
+	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_hull(_snapped(at)))
+	_formula = AimAtFormula.new(services[&"formula"] as Formula)
+	_readout = AimAtReadout.new(services[&"readout"] as Readout)
+	(services[&"options"] as LessonOptions).offer_presets(AimAtModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(AimAtMistakes.infos())
+	var questions := services[&"question"] as Question
+	questions.offer(AimExercise.fresh, AimExercise.Kind.size(), 0, AimExercise.of_the_table)
 	on_enter(_enter)
-	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
+	on_pick(_take)
+	# While the barrel turns and the shot flies, nothing else has to be shown anew.
+	_transport.advanced.connect(_fly)
+	step_changed.connect(_rewind)
+	# Not during a drag: measuring would slow it down.
+	about_to_show.connect(func() -> void: _readout.measure(_model))
+	begin(_model, _show, _points)
+	open_with(_swing.bind(_model.hull_degrees))
 
 
-# What the student does.
+# What moves by itself: the hull swings, and the barrel with it. To hundredths, so that the numbers
+# beside it stay short.
+func _swing(seconds: float, first: float) -> void:
+	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	_model.hull_degrees = AimAtModel.short(snappedf(first + _SWING * share, 0.01))
 
 
-func _drag(tail: Vec2, head: Vec2) -> void:
-	_model.v = head.minus(tail)
+func _let_drag(handle: Handle, change: Callable) -> void:
+	on_drag(handle.moved, handle.released, change)
 
 
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
+# What the student does. What is changed flies from the beginning.
+
+
+func _move_hull(to: Vec2) -> String:
+	return _take({"hull": [to.x, to.y]})
+
+
+func _turn_hull(to: Vec2) -> String:
+	var way := to.minus(_model.hull)
+	return _take({"hull_degrees": AimAtModel.short(roundf(way.angle_degrees()))})
+
+
+func _turn_barrel(to: Vec2) -> String:
+	return _take({"barrel_degrees": _own_degrees_at(to)})
+
+
+# How far a barrel that points at a place is turned on the hull, to whole degrees.
+func _own_degrees_at(place: Vec2) -> float:
+	var degrees := place.minus(_model.hull).angle_degrees() - _model.hull_degrees
+	return AimAtModel.short(roundf(degrees))
+
+
+func _move_target(to: Vec2) -> String:
+	return _take({"target": [to.x, to.y]})
+
+
+func _snapped(at: Vec2) -> Vec2:
+	return board.snapped_to_step(at)
+
+
+func _enter(name_in_line: String, value: float) -> String:
+	_rewind()
+	return _model.enter(name_in_line, value)
+
+
+func _take(changes: Dictionary) -> String:
+	_rewind()
+	var problem := _model.take(changes)
+	if changes.has("mistake") and not problem:
+		_model.show_mistake(_model.mistake)
+		_go_to_mistake()
+	return problem
+
+
+# A mistake is shown beside what is right: at the step of that.
+func _go_to_mistake() -> void:
+	var wanted := AimAtModel.Step.FIRE
+	if _model.mistake == AimAtMistakes.LONG_WAY:
+		wanted = AimAtModel.Step.TURN
+	if _model.mistake != 0:
+		(services[&"steps"] as Steps).go_to(wanted)
+
+
+func _rewind() -> void:
+	_model.time = 0.0
+
+
+# At its end a flight stops; Play begins it anew.
+func _fly(seconds: float) -> void:
+	var end := _shots.end(step)
+	if _transport.is_playing and _model.time >= end:
+		_model.time = 0.0
+	_model.time = clampf(_model.time + seconds * maxf(1.0, end / _LONGEST_SHOWN), 0.0, end)
+	if _model.time == end:
+		_transport.is_playing = false
+	_drawing.show_flight(_model, _shots, step)
 
 
 # What the student sees.
 
 
+func _points() -> Array[Vec2]:
+	return _drawing.points_to_show(_model, AimShots.new(_model))
+
+
 func _show() -> void:
-	var v := _model.v
-	_v.lay(Vec2.new(), v)
-	_formula.put_symbol("v", "v", Palette.Role.A)
-	_formula.put_number("x", v.x, Palette.Role.A, tr("x of v"))
-	_formula.put_number("y", v.y, Palette.Role.A, tr("y of v"))
-	_formula.put_number("square", v.dot(v), Palette.Role.INK)
-	_formula.put_number("length", v.length(), Palette.Role.INK)
-	_formula.show_lines(["{v} = ( {x} , {y} )", "|{v}| = √({v} · {v}) = √{square} = {length}"])
-	# |v| is the scalar projection of v on itself.
-	var error := ExactProjection.error_of_scalar_projection(v.length(), v, v)
-	_readout.show_result("length", "|v|", v.length(), error, CallTimer.nanoseconds(v.length))
+	ask_choice_before(
+		AimAtModel.Step.NESTED,
+		AimAtTexts.question_on_angle(),
+		AimAtTexts.choices_on_angle(_model),
+		AimAtTexts.right_angle_choice.bind(_model)
+	)
+	ask_choice_before(
+		AimAtModel.Step.TURN,
+		AimAtTexts.question_on_turn(),
+		AimAtTexts.choices_on_turn(),
+		AimAtTexts.right_turn_choice.bind(_model)
+	)
+	_shots = AimShots.new(_model)
+	tell_steps(AimAtTexts.sentences(_model, _shots))
+	tell_code(AimAtCode.lines(_model, step), AimAtCode.inputs(_model))
+	_drawing.show_model(_model, _shots, step)
+	_formula.show_model(_model, _shots, step)
+	_readout.show_model(_model, step)

@@ -1,59 +1,169 @@
 extends Lesson
-## Lead target: a vector that can be dragged or typed, and its length.
-##
-## Undo, reset and links need no line here, because the model can be stored.
+## The lesson on leading a moving target: where to aim so that bullet and target meet. Where both
+## are and how they move at the start is in the scene.
 
-var _model := LengthModel.new()
+# In the opening the shot at where the target is now waits so long, in seconds, before it flies
+# again.
+const _PAUSE := 0.8
+# A flight lasts at most so many seconds of the student's: one that is longer runs faster.
+const _LONGEST_SHOWN := 8.0
 
-# Where v lies at the start is in the scene: select V in the editor and change its head.
-@onready var _v: DraggableVector = %V
-@onready var _formula: Formula = services.get(&"formula")
-@onready var _readout: Readout = services.get(&"readout")
+var _model := LeadTargetModel.new()
+var _shots: LeadShots
+var _formula: LeadTargetFormula
+var _readout: LeadTargetReadout
 
-
-## What is kept, and what is computed from it.
-class LengthModel:
-	extends LessonModel
-	var v := Vec2.new()
-
-	func to_dictionary() -> Dictionary:
-		return {"v": PackedFloat64Array([v.x, v.y])}
-
-	func from_dictionary(stored: Dictionary) -> void:
-		var numbers: PackedFloat64Array = stored["v"]
-		v.set_xy(numbers[0], numbers[1])
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _drawing: LeadTargetDrawing = %Drawing
+@onready var _velocity: DraggableVector = %Velocity
+@onready var _own: DraggableVector = %Own
+@onready var _mark: TargetMark = %Mark
+@onready var _radius_handle: Handle = %RadiusHandle
+@onready var _speed_handle: Handle = %SpeedHandle
+@onready var _one_second: ReachCircle = %OneSecond
+@onready var _graph: LeadGraph = %Graph
 
 
 func start() -> void:
-	_drag(_v.tail_point(), _v.head_point())
-	on_drag(_v.moved, _v.released, _drag)
+	_model.target = _velocity.tail_point()
+	_model.velocity = _velocity.head_point().minus(_velocity.tail_point())
+	_model.shooter = _own.tail_point()
+	_model.own = _own.head_point().minus(_own.tail_point())
+	_model.speed = _one_second.radius
+	_model.radius = _mark.radius
+	on_drag(_velocity.moved, _velocity.released, _move_target)
+	on_drag(_own.moved, _own.released, _move_shooter)
+	on_drag(_radius_handle.moved, _radius_handle.released, _drag_radius)
+	on_drag(_speed_handle.moved, _speed_handle.released, _drag_speed)
+	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _move_places(_model.shooter, at))
+	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _move_places(at, _model.target))
+	_graph.moment_pointed.connect(_go_to)
+	add_child(CardPlace.new(_graph, board, services[&"formula"]))
+	_formula = LeadTargetFormula.new(services[&"formula"] as Formula)
+	_readout = LeadTargetReadout.new(services[&"readout"] as Readout)
+	(services[&"options"] as LessonOptions).offer_presets(LeadTargetModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(LeadTargetMistakes.infos())
+	var questions := services[&"question"] as Question
+	var kinds := LeadExercise.Kind.size()
+	questions.offer(LeadExercise.fresh, kinds, 0, LeadExercise.of_the_table)
 	on_enter(_enter)
-	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
+	on_pick(_take)
+	# While the shot flies, nothing else has to be shown anew.
+	_transport.advanced.connect(_fly)
+	step_changed.connect(_rewind)
+	# Not during a drag: measuring would slow it down.
+	about_to_show.connect(func() -> void: _readout.measure(_model))
+	begin(_model, _show, _points)
+	open_with(_play_shot)
 
 
-# What the student does.
+# What moves by itself: the shot at where the target is now, again and again.
+func _play_shot(seconds: float) -> void:
+	var end := _shots.end(LeadTargetModel.Step.NOW)
+	_model.time = minf(fmod(seconds, end + _PAUSE), end)
 
 
-func _drag(tail: Vec2, head: Vec2) -> void:
-	_model.v = head.minus(tail)
+# What the student does. What is changed flies from the beginning.
 
 
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
+func _move_target(tail: Vec2, head: Vec2) -> String:
+	return _take_moved("target", _model.target, tail, "velocity", _model.velocity, head)
+
+
+func _move_shooter(tail: Vec2, head: Vec2) -> String:
+	return _take_moved("shooter", _model.shooter, tail, "own", _model.own, head)
+
+
+# What is moved by its tail keeps its velocity.
+func _take_moved(
+	place: String, before: Vec2, tail: Vec2, moves: String, velocity: Vec2, head: Vec2
+) -> String:
+	var is_tail := head.distance_to(before.plus(velocity)) == 0.0
+	var wanted := velocity if is_tail else head.minus(tail)
+	return _take({place: [tail.x, tail.y], moves: [wanted.x, wanted.y]})
+
+
+func _move_places(shooter: Vec2, target: Vec2) -> String:
+	var from := board.snapped_to_step(shooter) if shooter != _model.shooter else shooter
+	var to := board.snapped_to_step(target) if target != _model.target else target
+	return _take({"shooter": [from.x, from.y], "target": [to.x, to.y]})
+
+
+func _drag_radius(knob: Vec2) -> String:
+	return _take({"radius": _drawing.radius_for(_model, knob)})
+
+
+func _drag_speed(at: Vec2) -> String:
+	var wanted := roundf(at.distance_to(_model.shooter))
+	return _take({"speed": maxf(wanted, 1.0)})
+
+
+func _enter(name_in_line: String, value: float) -> String:
+	_rewind()
+	return _model.enter(name_in_line, value)
+
+
+func _take(changes: Dictionary) -> String:
+	_rewind()
+	var problem := _model.take(changes)
+	if changes.has("mistake") and not problem:
+		_model.show_mistake(_model.mistake)
+		if _model.mistake != 0 and step < LeadTargetModel.Step.AIM:
+			(services[&"steps"] as Steps).go_to(LeadTargetModel.Step.FIRE)
+	return problem
+
+
+func _rewind() -> void:
+	_model.time = 0.0
+
+
+# At its end a flight stops; Play begins it anew.
+func _fly(seconds: float) -> void:
+	var end := _shots.end(step)
+	if _transport.is_playing and _model.time >= end:
+		_model.time = 0.0
+	_model.time = clampf(_model.time + seconds * maxf(1.0, end / _LONGEST_SHOWN), 0.0, end)
+	if _model.time == end:
+		_transport.is_playing = false
+	_drawing.show_flight(_model, _shots, step)
+
+
+func _go_to(seconds: float) -> void:
+	pause()
+	_model.time = seconds
+	_drawing.show_flight(_model, _shots, step)
 
 
 # What the student sees.
 
 
+func _points() -> Array[Vec2]:
+	return _drawing.points_to_show(_model, LeadShots.new(_model))
+
+
 func _show() -> void:
-	var v := _model.v
-	_v.lay(Vec2.new(), v)
-	_formula.put_symbol("v", "v", Palette.Role.A)
-	_formula.put_number("x", v.x, Palette.Role.A, tr("x of v"))
-	_formula.put_number("y", v.y, Palette.Role.A, tr("y of v"))
-	_formula.put_number("square", v.dot(v), Palette.Role.INK)
-	_formula.put_number("length", v.length(), Palette.Role.INK)
-	_formula.show_lines(["{v} = ( {x} , {y} )", "|{v}| = √({v} · {v}) = √{square} = {length}"])
-	# |v| is the scalar projection of v on itself.
-	var error := ExactProjection.error_of_scalar_projection(v.length(), v, v)
-	_readout.show_result("length", "|v|", v.length(), error, CallTimer.nanoseconds(v.length))
+	ask_choice_before(
+		LeadTargetModel.Step.REACH,
+		LeadTargetTexts.question_on_reach(),
+		LeadTargetTexts.choices(),
+		LeadTargetTexts.right_choice.bind(_model)
+	)
+	ask_before(
+		LeadTargetModel.Step.TIME,
+		LeadTargetTexts.question_on_place(_model),
+		_truth,
+		func() -> Vec2: return _model.target.copy()
+	)
+	_shots = LeadShots.new(_model)
+	tell_steps(LeadTargetTexts.sentences(_model, _shots))
+	tell_code(LeadTargetCode.lines(_model, step), LeadTargetCode.inputs(_model))
+	_drawing.show_model(_model, _shots, step)
+	_formula.show_model(_model, _shots, step)
+	_readout.show_model(_model, step)
+
+
+# Null where nothing hits, or at once.
+func _truth() -> Vec2:
+	if not _model.can_hit() or _model.aim().time == 0.0:
+		return null
+	return _model.target_after(_model.aim().time, true)

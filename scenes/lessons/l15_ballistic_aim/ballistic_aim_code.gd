@@ -19,30 +19,22 @@ static func lines(model: BallisticAimModel, step: BallisticAimModel.Step) -> Pac
 
 
 static func _aim_lines(model: BallisticAimModel, step: BallisticAimModel.Step) -> PackedStringArray:
-	var found: PackedStringArray = []
-	if model.is_fixed():
-		found.append("var shots := BallisticAim.at_fixed(shooter, target, gravity, speed)")
-	else:
-		found = [
-			"var moving := AimTarget.new(target, velocity, acceleration)",
-			"var shots := BallisticAim.at_moving(shooter, moving, gravity, speed, 60.0)",
-		]
-	found.append("var count := shots.size()")
-	if model.has_shot() and step >= BallisticAimModel.Step.ARCS:
-		found.append("var t := shots[%d].time" % model.arc_flown())
-		found.append("var d := shots[%d].direction" % model.arc_flown())
-	return found
+	var shots := "BallisticAim.at_fixed(shooter, target, gravity, speed)"
+	if not model.is_fixed():
+		shots = "BallisticAim.at_moving(shooter, moving, gravity, speed, 60.0)"
+	if not model.has_shot() or step < BallisticAimModel.Step.ARCS:
+		return ["var count := %s.size()" % shots]
+	var aim := "%s[%d]" % [shots, model.arc_flown()]
+	return ["var t := %s.time" % aim, "var d := %s.direction" % aim]
 
 
 ## The values of the names in the lines.
 static func inputs(model: BallisticAimModel) -> Dictionary[String, Variant]:
 	return {
 		"BallisticAim": BallisticAim,
-		"AimTarget": AimTarget,
 		"shooter": Vec2.zero(),
 		"target": model.target,
-		"velocity": model.own_velocity(),
-		"acceleration": model.aim_target().acceleration,
+		"moving": model.aim_target(),
 		"gravity": model.pull(),
 		"speed": model.speed,
 	}

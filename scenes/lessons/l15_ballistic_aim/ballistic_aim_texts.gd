@@ -66,10 +66,7 @@ static func arcs(model: BallisticAimModel) -> PackedStringArray:
 static func verdict(model: BallisticAimModel, step: BallisticAimModel.Step) -> PackedStringArray:
 	var words: PackedStringArray = [_count(model)]
 	if step == BallisticAimModel.Step.FIRE and model.has_shot():
-		words = [
-			LabText.translate("miss %s px") % NumberText.size(model.miss().distance),
-			LabText.translate("eps × condition %s px") % NumberText.size(model.rounding()),
-		]
+		words = ShotText.of_right(model.miss().distance, model.rounding())
 	if model.mistake != 0 and BallisticAimModel.is_of_arcs(step):
 		words.append(_on_mistake(model))
 	return words
@@ -206,5 +203,5 @@ static func _on_fire(model: BallisticAimModel) -> String:
 	if model.mistake_shows():
 		return LabText.translate("Fire: press Play. What the mistake does is dashed.")
 	return LabText.translate(
-		"Fire: press Play. Rounding alone may make it miss by eps × condition."
+		"Fire: press Play. It hits; what is left is rounding."
 	)

@@ -392,7 +392,12 @@ func solved() -> TimedShot:
 			)
 	if not _is_faster():
 		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
-	return _barrel(bullet.length()).first(LONGEST)
+	return barrel().first(LONGEST)
+
+
+## The barrel that turns, as the solver knows it.
+func barrel() -> TurningBarrel:
+	return _barrel(bullet.length())
 
 
 func _barrel(speed: float) -> TurningBarrel:

@@ -63,10 +63,7 @@ static func verdict(model: TimedShotModel, step: TimedShotModel.Step) -> PackedS
 		TimedShotModel.Step.WINDOW:
 			words = [_on_span(model), _on_own_shot(model)]
 		TimedShotModel.Step.FIRE:
-			words = [
-				LabText.translate("miss %s px") % NumberText.size(model.miss().distance),
-				LabText.translate("eps × condition %s px") % NumberText.size(model.rounding()),
-			]
+			words = ShotText.of_right(model.miss().distance, model.rounding())
 		_:
 			var hit := model.shot().fire + model.shot().flight
 			words = [
@@ -85,13 +82,20 @@ static func verdict_sign(model: TimedShotModel, step: TimedShotModel.Step) -> St
 	return "!" if model.has_shot() else "0"
 
 
-## Whether [param step] is the one at which the mistake that is switched on is shown.
+## Whether the mistake that is switched on is shown at [param step].
 static func is_compared(model: TimedShotModel, step: TimedShotModel.Step) -> bool:
 	if model.mistake == 0:
 		return false
 	if model.mistake == TimedShotMistakes.BULLET_FORGOTTEN:
 		return step == TimedShotModel.Step.WINDOW
 	return step in [TimedShotModel.Step.WAIT, TimedShotModel.Step.FIRE]
+
+
+## The step that a mistake is about.
+static func step_of_mistake(mistake: int) -> TimedShotModel.Step:
+	if mistake == TimedShotMistakes.BULLET_FORGOTTEN:
+		return TimedShotModel.Step.WINDOW
+	return TimedShotModel.Step.WAIT
 
 
 static func _on_span(model: TimedShotModel) -> String:
@@ -193,4 +197,4 @@ static func _on_fire(model: TimedShotModel) -> String:
 		return LabText.translate("No moment hits, and nothing is fired.")
 	if model.compares(TimedShotModel.Step.FIRE):
 		return LabText.translate("Fire: press Play. What the mistake does is dashed.")
-	return LabText.translate("Fire: press Play. Rounding alone may make it miss by eps × condition.")
+	return LabText.translate("Fire: press Play. It hits; what is left is rounding.")
