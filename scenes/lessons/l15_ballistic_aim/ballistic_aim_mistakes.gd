@@ -126,20 +126,14 @@ static func infos() -> Array[MistakeInfo]:
 			tests + "out_of_reach_is_told",
 			LabText.translate("The test wants no aim, and no NaN, below the least speed.")
 		),
-		(
-			MistakeInfo
-			. new(
-				AT_REST,
-				LabText.translate("aimed at the present place"),
-				(
-					LabText
-					. translate(
-						"When the bullet comes, the target is somewhere else. A falling one is lower."
-					)
-				),
-				tests + "a_falling_target_is_aimed_at_straight",
-				LabText.translate("The test lets the target fall or move, and wants a hit.")
-			)
+		MistakeInfo.new(
+			AT_REST,
+			LabText.translate("aimed at the present place"),
+			LabText.translate(
+				"When the bullet comes, the target is somewhere else. A falling one is lower."
+			),
+			tests + "a_falling_target_is_aimed_at_straight",
+			LabText.translate("The test lets the target fall or move, and wants a hit.")
 		),
 		MistakeInfo.new(
 			NO_GRAVITY,

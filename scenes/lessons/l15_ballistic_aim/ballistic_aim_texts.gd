@@ -202,6 +202,4 @@ static func _on_fire(model: BallisticAimModel) -> String:
 		return LabText.translate("No aim hits, and nothing is fired.")
 	if model.mistake_shows():
 		return LabText.translate("Fire: press Play. What the mistake does is dashed.")
-	return LabText.translate(
-		"Fire: press Play. It hits; what is left is rounding."
-	)
+	return LabText.translate("Fire: press Play. It hits; what is left is rounding.")

@@ -1,7 +1,7 @@
 extends Lesson
-## The lesson on the moment to fire: the barrel does not follow the target, so the moment is all that
-## can be chosen. Muzzle, target, both velocities and the circle's centre at the start are in the
-## scene: the handles there show them.
+## The lesson on the moment to fire: the barrel does not follow the target, so the moment is all
+## that can be chosen. Muzzle, target, both velocities and the circle's centre at the start are in
+## the scene: the handles there show them.
 
 ## At the opening the target goes so often along its way and back in 20 seconds, by the way of so
 ## many seconds.
@@ -147,7 +147,7 @@ func _spanned_points() -> Array[Vec2]:
 	for other in others:
 		other.limit_length(most)
 		points.append(other)
-	for point in points.duplicate():
+	for point: Vec2 in points.duplicate():
 		points.append(Vec2.new(0.0, _BELOW * point.y))
 	return points
 

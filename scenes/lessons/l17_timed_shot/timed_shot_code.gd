@@ -2,7 +2,6 @@ class_name TimedShotCode
 extends RefCounted
 ## The lines of GDScript that compute what each step of the lesson on the moment to fire shows.
 
-
 const _LINE := "TimedAim.at_line(muzzle, bullet, none, target, velocity)"
 const _CIRCLE := "TimedAim.at_circle(muzzle, bullet, none, centre, rho, phase, turn)"
 const _TURNING := "barrel.first()"

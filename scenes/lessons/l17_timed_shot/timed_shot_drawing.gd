@@ -125,7 +125,11 @@ func _lay_wrong(model: TimedShotModel, step: TimedShotModel.Step) -> void:
 	var there := model.target_after(fire + miss.moment)
 	_wrong_way.show_path([model.muzzle, nearest])
 	_miss.label = LabText.translate("%s px off") % NumberText.short(miss.distance, 3)
-	_miss.lay(nearest, there, there.minus(nearest).normal())
+	# Its label is on the side on which the muzzle is not.
+	var side := there.minus(nearest).normal()
+	if side.dot(model.muzzle.minus(nearest)) > 0.0:
+		side = side.negated()
+	_miss.lay(nearest, there, side)
 
 
 # How many seconds the timeline shows: the next whole ones.

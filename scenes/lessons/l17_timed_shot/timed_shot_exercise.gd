@@ -138,7 +138,8 @@ func _add_moments(flight: float, in_front: float) -> void:
 func _ask_window(speed: float, target_speed: float, radius: float) -> void:
 	var question := tr("Straight across each other: |W| = %s, |V| = %s, R = %s.")
 	prompt = (
-		question % [NumberText.short(speed), NumberText.short(target_speed), NumberText.short(radius)]
+		question
+		% [NumberText.short(speed), NumberText.short(target_speed), NumberText.short(radius)]
 	)
 	prompt += " " + tr("A shot hits within ± how many seconds?")
 	answer_titles = ["±"]

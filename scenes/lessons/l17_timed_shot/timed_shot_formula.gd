@@ -71,7 +71,7 @@ func _circle_lines(model: TimedShotModel) -> PackedStringArray:
 		found.append(tr("no f"))
 		return found
 	found.append("f = {flight}     X = {S} + f {W} = {S_pair} + {flight} {W_pair} = {X_pair}")
-	found.append("|X − {C}| = |{X_pair} − {C_pair}| = {rho}")
+	found.append("|X − {C}| = {rho}")
 	return found
 
 
@@ -82,14 +82,14 @@ func _moment_lines(model: TimedShotModel) -> PackedStringArray:
 		TimedShotModel.Kind.CIRCLE:
 			return [
 				tr("from T to X:") + " {gap}°",
-				"{hit_symbol} = {gap}° / {speed_of_turn}° = {hit}",
+				"{hit_symbol} = {gap_value} / {turn_value} = {hit}",
 				_fire_line(model),
 			]
 		TimedShotModel.Kind.TURNING:
 			return [
-				tr("barrel:") + " {phi}° + {fire} · {turn_value}° = {turned}°",
-				"{hit_symbol} = {fire} + {flight} = {hit}",
+				"{fire_symbol} = {fire}     f = {flight}     {hit_symbol} = {fire} + {flight} = {hit}",
 				"X = {T} + {hit_symbol} {V} = {T_pair} + {hit} {V_pair} = {X_pair}",
+				tr("from S to X:") + " {aim}°     " + tr("barrel then:") + " {turned}°",
 			]
 	return [
 		"{hit_symbol} = (X − {T}) · {V} / ({V} · {V}) = {X_T} · {V_pair} / {V_V} = {hit}",
@@ -110,8 +110,8 @@ func _window_lines(model: TimedShotModel) -> PackedStringArray:
 	if model.kind != TimedShotModel.Kind.LINE:
 		return [tr("from") + " {early} " + tr("to") + " {late}"]
 	var found: PackedStringArray = [
-		"|{W} − {V}| = |{W_pair} − {V_pair}| = {closing}",
-		"{half} = R |{W} − {V}| / |{W} · n| = {R_value}·{closing} / |{W_n}| = {half_value}",
+		"{W} − {V} = {W_pair} − {V_pair} = {U_pair}     |{W} − {V}| = {closing}",
+		"{half} = R |{W} − {V}| / |{W} · n| = {R_value}·{closing} / {W_n_size} = {half_value}",
 	]
 	if model.mistake == TimedShotMistakes.BULLET_FORGOTTEN:
 		found.append("{wrong}: R / |{V}| = {R_value} / {V_size} = {wrong_half}")
@@ -159,19 +159,19 @@ func _put_line(model: TimedShotModel) -> void:
 	_formula.put_vector("n_pair", n, Palette.Role.UNIT)
 	_formula.put_sum("P_n", way.dot(n), way.length() * n.length(), Palette.Role.INK)
 	_formula.put_number("W_n", model.bullet.dot(n), Palette.Role.INK)
+	_formula.put_number("W_n_size", absf(model.bullet.dot(n)), Palette.Role.INK)
 	_formula.put_number("V_V", model.velocity.length_squared(), Palette.Role.B)
 	_formula.put_number("V_size", model.velocity.length(), Palette.Role.B)
 	var closing := model.bullet.distance_to(model.velocity)
 	_formula.put_number("closing", closing, Palette.Role.INK)
+	_formula.put_vector("U_pair", model.bullet.minus(model.velocity), Palette.Role.INK)
 	_formula.put_number("R_value", model.radius, Palette.Role.UNIT)
 
 
 func _put_circle(model: TimedShotModel) -> void:
-	_formula.put_vector("C_pair", model.centre, Palette.Role.UNIT)
 	_formula.put_number("rho", model.circle_radius(), Palette.Role.UNIT)
-	_formula.put_angle("speed_of_turn", absf(model.circling), Palette.Role.UNIT)
-	_formula.put_angle("turn_value", model.turning, Palette.Role.UNIT)
-	_formula.put_angle("phi", Vec2.rad_to_deg(model.bullet.angle_radians()), Palette.Role.A)
+	var turn := Conventions.shown(absf(model.circling))
+	_formula.put_number("turn_value", turn, Palette.Role.UNIT)
 
 
 func _put_times(model: TimedShotModel) -> void:
@@ -180,7 +180,7 @@ func _put_times(model: TimedShotModel) -> void:
 	_formula.put_number("flight", flight, Palette.Role.A)
 	if flight > 0.0:
 		var x := model.crossing()
-		_formula.put_vector("X_pair", x, Palette.Role.INK)
+		_formula.put_vector_sum("X_pair", x, _terms_of_crossing(model), Palette.Role.INK)
 		_formula.put_vector("X_T", x.minus(model.target), Palette.Role.INK)
 	if not model.has_shot():
 		return
@@ -188,9 +188,11 @@ func _put_times(model: TimedShotModel) -> void:
 	var hit := shot.fire + shot.flight
 	_formula.put_number("hit", hit, Palette.Role.INK)
 	_formula.put_sum("fire", shot.fire, hit + flight, blue)
-	_formula.put_angle("gap", absf(model.circling) * hit, Palette.Role.INK)
-	var phi := Vec2.rad_to_deg(model.bullet.angle_radians())
-	_formula.put_angle("turned", phi + shot.fire * model.turning, Palette.Role.A)
+	var gap := absf(model.circling) * hit
+	_formula.put_angle("gap", gap, Palette.Role.INK)
+	_formula.put_number("gap_value", Conventions.shown(gap), Palette.Role.INK)
+	_put_direction("aim", model.crossing().minus(model.muzzle), Palette.Role.INK)
+	_put_direction("turned", model.bullet_velocity(shot.fire), Palette.Role.A)
 	if model.mistake == TimedShotMistakes.FLIGHT_ADDED:
 		_formula.put_number("wrong_fire", model.wrong_fire(), Palette.Role.WRONG)
 	_formula.put_number("half_value", model.half_window(), blue)
@@ -198,3 +200,18 @@ func _put_times(model: TimedShotModel) -> void:
 	if model.kind != TimedShotModel.Kind.LINE:
 		_formula.put_number("early", model.window()[0], blue)
 		_formula.put_number("late", model.window()[1], blue)
+
+
+func _put_direction(name_in_line: String, direction: Vec2, role: Palette.Role) -> void:
+	var degrees := Conventions.in_range(Vec2.rad_to_deg(direction.angle_radians()))
+	_formula.put_angle(name_in_line, degrees, role)
+
+
+# The sizes of all that is added up to X, by the way of the bullet or by that of the target.
+static func _terms_of_crossing(model: TimedShotModel) -> Vec2:
+	var flown := model.bullet.length() * model.flight()
+	var moved := model.velocity.length() * absf(model.time_to_crossing())
+	return Vec2.new(
+		absf(model.muzzle.x) + absf(model.target.x) + flown + moved,
+		absf(model.muzzle.y) + absf(model.target.y) + flown + moved
+	)

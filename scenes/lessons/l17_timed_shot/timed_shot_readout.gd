@@ -31,9 +31,7 @@ func _show_row(model: TimedShotModel, key: String, title: String, seconds: float
 	# Angles have no exact answer here.
 	var error := ""
 	if model.kind == TimedShotModel.Kind.LINE:
-		var exact := ExactTimedShot.new(
-			model.muzzle, model.bullet, model.target, model.velocity
-		)
+		var exact := ExactTimedShot.new(model.muzzle, model.bullet, model.target, model.velocity)
 		var off := exact.error_of_fire(seconds) if key == "fire" else exact.error_of_flight(seconds)
 		error = NumberText.size(off)
 	_readout.show_texts(key, [title, NumberText.short(seconds), error, time])
