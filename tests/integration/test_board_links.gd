@@ -30,6 +30,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
 	"ballistic_aim":
 	["target=80,-60&speed=200&gravity=250", "moves=true&velocity=30,-40&arc=1", "gravity=0"],
+	"timed_shot":
+	["muzzle=300,400&target=0,200&velocity=100,0", "kind=1&circling=-45&fire=2.5", "kind=2"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -94,6 +96,15 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"gravity=-1": "g must be within 0..100000, not −1.",
 		"arc=4": "arc must be within 0..3, not 4.",
 		"mistake=9": "mistake must be one of 0, 101, ",
+	},
+	"timed_shot":
+	{
+		"bullet=0,0": "The bullet needs a speed of 1 px/s or more, not 0.",
+		"target=0,-50": "The circle needs a radius of 1 px or more, not 0.",
+		"circling=0": "circling must be within 1..720, not 0.",
+		"turning=721": "turning must be within −720..720, not 721.",
+		"fire=61": "fire must be within 0..60, not 61.",
+		"kind=3": "kind must be within 0..2, not 3.",
 	},
 	"error_and_time":
 	{

@@ -19,6 +19,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"more_dimensions": ["Board/Bars:a", [1.0, 2.0, 3.0, 4.0]],
 	&"error_and_time": [".:first_problem", "dropped_ball"],
 	&"ballistic_aim": ["Board/Drawing/TargetHandle:point", Vector2(100.0, -20.0)],
+	&"timed_shot": ["Board/Drawing/Start:point", Vector2(-200.0, -50.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

@@ -165,3 +165,15 @@ func _show_verdict(model: TimedShotModel, step: TimedShotModel.Step) -> void:
 	elif sign_text == "0":
 		role = Palette.Role.QUIET
 	_verdict.show_verdict(sign_text, role, TimedShotTexts.verdict(model, step))
+	var board := _verdict.get_parent() as Board
+	var places: PackedVector2Array = []
+	for part: Handle in [%Start, %VelocityHead, %Muzzle, %LeavingHead, %Centre]:
+		if part.visible:
+			places.append(board.to_screen(part.at()))
+	for part: Vec2 in [model.crossing(), model.target_after(model.fire(step))]:
+		places.append(board.to_screen(part))
+	# On a small board it is in the panel.
+	if _timeline.get_parent() == board:
+		var place := _timeline.get_rect()
+		places.append_array([place.position, place.position + Vector2(place.size.x, 0.0)])
+	_verdict.keep_off(places, 24.0)
