@@ -153,4 +153,4 @@ func _ask_window(speed: float, target_speed: float, radius: float) -> void:
 	)
 	add_mistake([radius / speed], tr("That is R / |W|: the target does not rest."))
 	add_mistake([2.0 * half], tr("That is the whole window. Half of it is before, half after."))
-	add_mistake([radius / closing], tr("That is how long both touch, not how long you may wait."))
+	add_mistake([radius / closing], tr("Here |W − V| is on the wrong side of the fraction."))

@@ -108,7 +108,7 @@ func _fire_line(model: TimedShotModel) -> String:
 
 func _window_lines(model: TimedShotModel) -> PackedStringArray:
 	if model.kind != TimedShotModel.Kind.LINE:
-		return [tr("from") + " {early} " + tr("to") + " {late}"]
+		return [tr("from {early} to {late}")]
 	var found: PackedStringArray = [
 		"{W} − {V} = {W_pair} − {V_pair} = {U_pair}     |{W} − {V}| = {closing}",
 		"{half} = R |{W} − {V}| / |{W} · n| = {R_value}·{closing} / {W_n_size} = {half_value}",
