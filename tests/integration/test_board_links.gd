@@ -31,7 +31,7 @@ const _GOOD: Dictionary[String, Array] = {
 	"ballistic_aim":
 	["target=80,-60&speed=200&gravity=250", "moves=true&velocity=30,-40&arc=1", "gravity=0"],
 	"timed_shot":
-	["muzzle=300,400&target=0,200&velocity=100,0", "kind=1&circling=-45&fire=2.5", "kind=2"],
+	["muzzle=300,400&target=0,200", "kind=1&circling=-45&fire=2.5", "kind=2"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},

@@ -15,72 +15,29 @@ const AT_REST := 104
 ## Gravity is left out.
 const NO_GRAVITY := 105
 
-# Two directions that differ by less are one aim.
-const _ONE_AIM := 1e-9
 
-
-## The shot to which a mistake leads, or none.
-class WrongShot:
-	extends RefCounted
-	## Whether the mistake finds an aim at all.
-	var hit := false
-	## Its direction, of length 1.
-	var direction := Vec2.zero()
-	## When it is thought to hit, in seconds.
-	var time := 0.0
-	## By how much it misses.
-	var miss: ShotMiss
-
-
-## All aims that hit [param target] from the origin, the earliest first.
-static func right_shots(target: AimTarget, gravity: Vec2, speed: float) -> Array[Aim]:
-	var here := Vec2.zero()
-	if target.position.length() == 0.0:
-		return []
-	if target.velocity.length() == 0.0 and target.acceleration.length() == 0.0:
-		return _apart(BallisticAim.at_fixed(here, target.position, gravity, speed))
-	return BallisticAim.at_moving(here, target, gravity, speed, BallisticAimModel.LONGEST)
-
-
-# At the edge of what can be reached both arcs are one.
-static func _apart(aims: Array[Aim]) -> Array[Aim]:
-	if aims.size() == 2 and aims[0].direction.distance_to(aims[1].direction) <= _ONE_AIM:
-		aims.resize(1)
-	return aims
-
-
-## The shot to which the mistake that is switched on in [param model] leads: of several, that in the
-## place of the arc that is flown.
-static func shot_of(model: BallisticAimModel) -> WrongShot:
-	var wrong := WrongShot.new()
-	var aims := _wrong_aims(model)
-	if aims.is_empty():
-		return wrong
-	var aim := aims[clampi(model.arc, 0, aims.size() - 1)]
-	wrong.hit = true
-	wrong.direction = aim.direction
-	wrong.time = aim.time
-	wrong.miss = model.miss_of(aim.direction, aim.time)
-	return wrong
-
-
-static func _wrong_aims(model: BallisticAimModel) -> Array[Aim]:
-	var target := model.aim_target()
-	match model.mistake:
+## The aims that the mistake with this number finds at [param target], shot from the origin with
+## [param gravity], in px/s², and [param speed], in px/s: none for 0, nor where it has no answer.
+static func aims(number: int, target: AimTarget, gravity: Vec2, speed: float) -> Array[Aim]:
+	var fall := target.acceleration
+	match number:
 		SIGN:
-			target.acceleration = target.acceleration.negated()
-			return right_shots(target, model.pull().negated(), model.speed)
+			return BallisticShots.aims(_falling(target, fall.negated()), gravity.negated(), speed)
 		HALF:
-			target.acceleration = target.acceleration.scaled(2.0)
-			return right_shots(target, model.pull().scaled(2.0), model.speed)
+			return BallisticShots.aims(
+				_falling(target, fall.scaled(2.0)), gravity.scaled(2.0), speed
+			)
 		NOT_TESTED:
-			return right_shots(target, model.pull(), model.speed)
+			return BallisticShots.aims(target, gravity, speed)
 		AT_REST:
-			return right_shots(AimTarget.new(model.target), model.pull(), model.speed)
+			return BallisticShots.aims(AimTarget.new(target.position), gravity, speed)
 		NO_GRAVITY:
-			target.acceleration = Vec2.zero()
-			return right_shots(target, Vec2.zero(), model.speed)
+			return BallisticShots.aims(_falling(target, Vec2.zero()), Vec2.zero(), speed)
 	return []
+
+
+static func _falling(target: AimTarget, acceleration: Vec2) -> AimTarget:
+	return AimTarget.new(target.position, target.velocity, acceleration)
 
 
 ## The time of flight that [constant HALF] makes of the right one, in seconds, on the level: the

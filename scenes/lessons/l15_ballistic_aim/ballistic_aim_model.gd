@@ -9,7 +9,8 @@ extends LessonModel
 enum Step { STRAIGHT, DROP, TIMES, ARCS, LEAST, FIRE }
 
 ## Why no aim hits: both are in one place; the speed is less than the least; the target is faster
-## and gets away; no aim hits within [constant LONGEST].
+## and gets away; no aim hits within
+## [constant BallisticShots.LONGEST].
 enum Reason { SAME_PLACE, TOO_SLOW, OUTRUN, NOT_IN_TIME }
 
 ## Presets by their titles (source text): what each changes in the model's state.
@@ -48,8 +49,6 @@ const PRESETS: Dictionary[String, Dictionary] = {
 const LARGEST := 1e5
 ## The bullet is not slower than this, in px/s.
 const SLOWEST := 1.0
-## A shot that takes longer than this, in seconds, does not count.
-const LONGEST := 60.0
 ## As many aims hit at most.
 const MOST_AIMS := 4
 ## The arrows of velocities and of gravity show so many seconds of them.
@@ -79,7 +78,7 @@ var time := 0.0
 
 # What the solver found, and for which numbers.
 var _shots: Array[Aim] = []
-var _wrong: BallisticAimMistakes.WrongShot
+var _wrong: WrongShot
 var _solved_for: Array = []
 
 
@@ -230,7 +229,7 @@ func miss() -> ShotMiss:
 ## [param computed] seconds.
 func miss_of(towards: Vec2, computed: float) -> ShotMiss:
 	var leaving := bullet_velocity(towards)
-	return ShotMiss.of(Vec2.zero(), leaving, pull(), aim_target(), LONGEST, computed)
+	return ShotMiss.of(Vec2.zero(), leaving, pull(), aim_target(), BallisticShots.LONGEST, computed)
 
 
 ## eps times the condition of the aim that is flown, in pixels: so far rounding alone may move it.
@@ -257,7 +256,7 @@ func error_of_time(seconds: float) -> float:
 
 
 ## The shot to which the mistake that is switched on leads.
-func wrong_shot() -> BallisticAimMistakes.WrongShot:
+func wrong_shot() -> WrongShot:
 	_solve()
 	return _wrong
 
@@ -378,5 +377,18 @@ func _solve() -> void:
 	if numbers == _solved_for:
 		return
 	_solved_for = numbers
-	_shots = BallisticAimMistakes.right_shots(aim_target(), pull(), speed)
-	_wrong = BallisticAimMistakes.shot_of(self)
+	_shots = BallisticShots.aims(aim_target(), pull(), speed)
+	_wrong = _shot_of_mistake()
+
+
+# Of several, the one in the place of the arc that is flown.
+func _shot_of_mistake() -> WrongShot:
+	var found := WrongShot.new()
+	var aims := BallisticAimMistakes.aims(mistake, aim_target(), pull(), speed)
+	if aims.is_empty():
+		return found
+	var aim := aims[clampi(arc, 0, aims.size() - 1)]
+	found.hit = true
+	found.direction = aim.direction
+	found.miss = miss_of(aim.direction, aim.time)
+	return found

@@ -14,7 +14,7 @@ func _init(readout: Readout) -> void:
 
 ## Measures the run time of both calls.
 func measure(model: BallisticAimModel) -> void:
-	var find := BallisticAimMistakes.right_shots.bind(model.aim_target(), model.pull(), model.speed)
+	var find := BallisticShots.aims.bind(model.aim_target(), model.pull(), model.speed)
 	_nanoseconds["careful"] = CallTimer.nanoseconds(find)
 	_nanoseconds["slide"] = CallTimer.nanoseconds(_by_the_slide.bind(model))
 

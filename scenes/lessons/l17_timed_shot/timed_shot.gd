@@ -98,7 +98,7 @@ func _drag_centre(to: Vec2) -> void:
 
 
 func _take_moment(seconds: float) -> void:
-	_model.own_fire = clampf(seconds, 0.0, TimedShotModel.LONGEST)
+	_model.own_fire = clampf(seconds, 0.0, TimedShotCheck.LONGEST)
 
 
 static func _velocity_to(head: Vec2, tail: Vec2) -> PackedFloat64Array:

@@ -196,7 +196,7 @@ func _put_times(model: TimedShotModel) -> void:
 	if model.mistake == TimedShotMistakes.FLIGHT_ADDED:
 		_formula.put_number("wrong_fire", model.wrong_fire(), Palette.Role.WRONG)
 	_formula.put_number("half_value", model.half_window(), blue)
-	_formula.put_number("wrong_half", TimedShotMistakes.half_window(model), Palette.Role.WRONG)
+	_formula.put_number("wrong_half", model.plain_half_window(), Palette.Role.WRONG)
 	if model.kind != TimedShotModel.Kind.LINE:
 		_formula.put_number("early", model.window()[0], blue)
 		_formula.put_number("late", model.window()[1], blue)

@@ -11,19 +11,12 @@ const FLIGHT_ADDED := 102
 ## The firing window without the bullet's own motion.
 const BULLET_FORGOTTEN := 103
 
-# Moments that differ by less are the same, in seconds.
-const _SAME := 1e-9
 
-
-## The moment at which the mistake that is switched on in [param model] fires, which has a right
-## shot.
-static func fire(model: TimedShotModel) -> float:
-	var shot := model.shot()
-	match model.mistake:
+## The moment at which the mistake with this number fires at a target that crosses the bullet's way,
+## in seconds, where [param shot] is right.
+static func fire(number: int, shot: TimedShot) -> float:
+	match number:
 		IN_FRONT:
-			if model.kind == TimedShotModel.Kind.TURNING:
-				var seen := model.first_sight()
-				return seen.fire if seen.hit else shot.fire
 			return shot.fire + shot.flight
 		FLIGHT_ADDED:
 			return shot.fire + 2.0 * shot.flight
@@ -31,19 +24,8 @@ static func fire(model: TimedShotModel) -> float:
 
 
 ## Half of the window, in seconds, that [constant BULLET_FORGOTTEN] makes of it: R / |V|.
-static func half_window(model: TimedShotModel) -> float:
-	var there := model.target_velocity(model.shot().fire + model.shot().flight)
-	return model.radius / there.length() if there.length() > 0.0 else INF
-
-
-## Whether the mistake that is switched on in [param model], which has a right shot, leads to
-## something else.
-static func shows(model: TimedShotModel) -> bool:
-	if model.mistake != BULLET_FORGOTTEN:
-		return absf(fire(model) - model.shot().fire) > _SAME
-	if model.kind != TimedShotModel.Kind.LINE:
-		return false
-	return model.half_window() - half_window(model) > _SAME * model.half_window()
+static func half_window(radius: float, velocity: Vec2) -> float:
+	return radius / velocity.length() if velocity.length() > 0.0 else INF
 
 
 ## What the bug gallery says of each, translated.

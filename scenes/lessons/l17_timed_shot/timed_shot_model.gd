@@ -11,8 +11,9 @@ enum Kind { LINE, CIRCLE, TURNING }
 ## How the drawing is built up. In WAIT and FIRE the right shot is flown, else that of the student.
 enum Step { WATCH, CROSS, WAIT, WINDOW, FIRE }
 ## Why no moment hits: the target rests; both ways are parallel; the bullet does not cross the
-## target's way, or not before the target has passed; it takes longer than [constant LONGEST]; the
-## bullet is not faster than the target; the barrel never points ahead as it should.
+## target's way, or not before the target has passed; it takes longer than
+## [constant TimedShotCheck.LONGEST]; the bullet is not faster than the target; the barrel never
+## points ahead as it should.
 enum Reason { RESTS, PARALLEL, NO_CROSSING, TOO_LATE, TOO_LONG, TOO_SLOW, NEVER }
 
 ## Presets by their titles (source text): what each changes in the model's state.
@@ -75,24 +76,11 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	},
 }
 
-## No place or speed is larger than this, in pixels and seconds.
-const LARGEST := 1e4
-## The bullet is not slower than this, in px/s, and a circle not smaller, in pixels.
-const SMALLEST := 1.0
-## Nothing turns faster than this, in degrees per second.
-const FASTEST_TURN := 720.0
-## The target on a circle does not turn more slowly than this.
-const SLOWEST_TURN := 1.0
-## A shot later than this, in seconds, does not count.
-const LONGEST := 60.0
 ## The arrows of velocities show so many seconds of them.
 const ARROW_SECONDS := 0.5
 
-# A search along the flight looks once for each such part of a turn of the target, in radians.
-const _LOOK := 0.1
-const _FEWEST_LOOKS := 120
-const _MOST_LOOKS := 4000
-const _THIRDS := 60
+# Moments that differ by less are the same, in seconds.
+const _SAME := 1e-9
 const _HALVINGS := 30
 const _DOUBLINGS := 8
 # How long a shot that never comes near is flown, in seconds.
@@ -209,7 +197,7 @@ func flight() -> float:
 			var closing := bullet.dot(across())
 			return target.minus(muzzle).dot(across()) / closing if closing != 0.0 else -1.0
 		Kind.CIRCLE:
-			return shot().flight if has_shot() else _first_crossing()
+			return shot().flight if has_shot() else _circle_pass(0.0).first_crossing()
 	return shot().flight if has_shot() else -1.0
 
 
@@ -251,9 +239,9 @@ func miss_at(at: float, computed: float = 0.0) -> ShotMiss:
 	var leaving := bullet_velocity(at)
 	if kind != Kind.CIRCLE:
 		var there := AimTarget.new(target_after(at), velocity)
-		return ShotMiss.of(muzzle, leaving, Vec2.zero(), there, LONGEST, computed)
+		return ShotMiss.of(muzzle, leaving, Vec2.zero(), there, TimedShotCheck.LONGEST, computed)
 	var place := func(seconds: float) -> Vec2: return target_after(at + seconds)
-	var moments: PackedFloat64Array = [0.0, computed, _nearest_on_circle(at)]
+	var moments: PackedFloat64Array = [0.0, computed, _circle_pass(at).nearest_time()]
 	return ShotMiss.nearest_of(FiredShot.new(muzzle, leaving), place, moments)
 
 
@@ -262,10 +250,21 @@ func miss() -> ShotMiss:
 	return miss_at(shot().fire, shot().flight)
 
 
-## eps times the condition of the right shot, in pixels: so far rounding alone may move it. Only
-## where there is one.
+## eps times the condition of the right shot, in pixels, over all its numbers: so far rounding alone
+## may move it. Only where there is one.
 func rounding() -> float:
-	return TimedShotRounding.of(self)
+	var numbers: PackedFloat64Array = [muzzle.x, muzzle.y, shot().fire, shot().flight]
+	match kind:
+		Kind.CIRCLE:
+			numbers.append_array([centre.x, centre.y, circle_radius(), phase()])
+			numbers.append_array([Vec2.deg_to_rad(circling), bullet.x, bullet.y])
+			return TimedShotRounding.on_circle(numbers)
+		Kind.TURNING:
+			numbers.append_array([target.x, target.y, velocity.x, velocity.y, bullet.length()])
+			numbers.append_array([bullet.angle_radians(), Vec2.deg_to_rad(turning)])
+			return TimedShotRounding.of_turning(numbers)
+	numbers.append_array([target.x, target.y, velocity.x, velocity.y, bullet.x, bullet.y])
+	return TimedShotRounding.on_line(numbers)
 
 
 ## The first and the last moment of the firing window around the right shot, in seconds: every shot
@@ -284,15 +283,27 @@ func half_window() -> float:
 	return TimedAim.window(bullet_velocity(shot().fire), velocity, radius)
 
 
-## The moment to fire to which the mistake that is switched on leads; only where
-## [method mistake_shows].
+## The moment to fire to which the mistake that is switched on leads; only where there is a shot. A
+## turning barrel fires when it points at the target itself.
 func wrong_fire() -> float:
-	return TimedShotMistakes.fire(self)
+	if kind == Kind.TURNING and mistake == TimedShotMistakes.IN_FRONT:
+		var seen := _barrel(1e6 * (1.0 + velocity.length())).first(TimedShotCheck.LONGEST)
+		return seen.fire if seen.hit else shot().fire
+	return TimedShotMistakes.fire(mistake, shot())
+
+
+## Half of the window, in seconds, without the bullet's motion; only where there is a shot.
+func plain_half_window() -> float:
+	return TimedShotMistakes.half_window(radius, target_velocity(shot().fire + shot().flight))
 
 
 ## Whether the mistake that is switched on leads to another moment, or to another window.
 func mistake_shows() -> bool:
-	return mistake != 0 and has_shot() and TimedShotMistakes.shows(self)
+	if mistake == 0 or not has_shot():
+		return false
+	if mistake != TimedShotMistakes.BULLET_FORGOTTEN:
+		return absf(wrong_fire() - shot().fire) > _SAME
+	return kind == Kind.LINE and half_window() - plain_half_window() > _SAME * half_window()
 
 
 ## Whether the shot of the mistake is flown beside the right one at [param step].
@@ -345,7 +356,7 @@ func to_dictionary() -> Dictionary:
 
 
 func problem_in(stored: Dictionary) -> String:
-	return TimedShotCheck.problem_in(stored)
+	return TimedShotCheck.problem_in(stored, Kind.size())
 
 
 func from_dictionary(stored: Dictionary) -> void:
@@ -392,7 +403,7 @@ func solved() -> TimedShot:
 			)
 	if not _is_faster():
 		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
-	return barrel().first(LONGEST)
+	return barrel().first(TimedShotCheck.LONGEST)
 
 
 ## The barrel that turns, as the solver knows it.
@@ -406,51 +417,10 @@ func _barrel(speed: float) -> TurningBarrel:
 	return TurningBarrel.new(muzzle, bullet.angle_radians(), turn, speed, moving)
 
 
-## When a turning barrel points at the target itself for the first time: light would hit it then.
-func first_sight() -> TimedShot:
-	return _barrel(1e6 * (1.0 + velocity.length())).first(LONGEST)
-
-
-# When the bullet first crosses the circle; -1 where it does not.
-func _first_crossing() -> float:
-	var from := muzzle.minus(centre)
-	var outside := from.length_squared() - circle_radius() ** 2.0
-	for seconds in Quadratic.roots(bullet.length_squared(), 2.0 * from.dot(bullet), outside):
-		if seconds > 0.0:
-			return seconds
-	return -1.0
-
-
-# The flight at which a bullet that is fired at this moment is nearest to the target on its circle.
-# Later than `longest` it is farther away than at the muzzle.
-func _nearest_on_circle(at: float) -> float:
-	var longest := 2.0 * (muzzle.distance_to(centre) + circle_radius()) / bullet.length()
-	var turned := absf(Vec2.deg_to_rad(circling)) * longest
-	var looks := clampi(ceili(turned / _LOOK), _FEWEST_LOOKS, _MOST_LOOKS)
-	var best := 0
-	var least := INF
-	for look: int in looks + 1:
-		var apart := _squared_distance(longest * look / looks, at)
-		if apart < least:
-			least = apart
-			best = look
-	var from := longest * maxi(best - 1, 0) / looks
-	var to := longest * mini(best + 1, looks) / looks
-	for part: int in _THIRDS:
-		var third := (to - from) / 3.0
-		if _squared_distance(from + third, at) <= _squared_distance(to - third, at):
-			to -= third
-		else:
-			from += third
-	return from
-
-
-# In plain numbers: many of them are looked at.
-func _squared_distance(seconds: float, at: float) -> float:
-	var angle := phase() + Vec2.deg_to_rad(circling) * (at + seconds)
-	var x := muzzle.x + bullet.x * seconds - centre.x - circle_radius() * cos(angle)
-	var y := muzzle.y + bullet.y * seconds - centre.y - circle_radius() * sin(angle)
-	return x * x + y * y
+# A bullet that is fired at this moment, past a target on a circle.
+func _circle_pass(at: float) -> CirclePass:
+	var turn := Vec2.deg_to_rad(circling)
+	return CirclePass.new(muzzle.minus(centre), bullet, circle_radius(), phase() + turn * at, turn)
 
 
 # How far the window reaches to one side of the right moment, in seconds: to later for 1.

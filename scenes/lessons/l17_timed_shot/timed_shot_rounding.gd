@@ -3,29 +3,22 @@ extends RefCounted
 ## How far rounding alone may move the right shot of the lesson on the moment to fire.
 
 
-## eps times the condition of the right shot of [param model], in pixels, over all its numbers:
-## places, velocities, turns, the moment and the flight.
-static func of(model: TimedShotModel) -> float:
-	var shot := model.shot()
-	var start := model.muzzle
-	var bullet := model.bullet
-	var target := model.target
-	var velocity := model.velocity
-	var numbers: PackedFloat64Array = [start.x, start.y, shot.fire, shot.flight]
-	var off := _off_line
-	match model.kind:
-		TimedShotModel.Kind.LINE:
-			numbers.append_array([target.x, target.y, velocity.x, velocity.y, bullet.x, bullet.y])
-		TimedShotModel.Kind.CIRCLE:
-			numbers.append_array([model.centre.x, model.centre.y, model.circle_radius()])
-			numbers.append_array([model.phase(), Vec2.deg_to_rad(model.circling)])
-			numbers.append_array([bullet.x, bullet.y])
-			off = _off_circle
-		TimedShotModel.Kind.TURNING:
-			numbers.append_array([target.x, target.y, velocity.x, velocity.y, bullet.length()])
-			numbers.append_array([bullet.angle_radians(), Vec2.deg_to_rad(model.turning)])
-			off = _off_turning
-	return ShotCondition.EPSILON * ShotCondition.of(numbers, off)
+## For a target on a line, in pixels: eps times the condition over the [param numbers], which are
+## the muzzle, the moment, the flight, the target, its velocity and the bullet's.
+static func on_line(numbers: PackedFloat64Array) -> float:
+	return ShotCondition.EPSILON * ShotCondition.of(numbers, _off_line)
+
+
+## The same for a target on a circle: behind the flight come the centre, the radius, the angle, the
+## turn and the bullet's velocity.
+static func on_circle(numbers: PackedFloat64Array) -> float:
+	return ShotCondition.EPSILON * ShotCondition.of(numbers, _off_circle)
+
+
+## The same for a turning barrel: behind the flight come the target, its velocity, the bullet's
+## speed, the barrel's angle and its turn.
+static func of_turning(numbers: PackedFloat64Array) -> float:
+	return ShotCondition.EPSILON * ShotCondition.of(numbers, _off_turning)
 
 
 # By how much the shot misses with these numbers, which begin with muzzle, fire and flight.

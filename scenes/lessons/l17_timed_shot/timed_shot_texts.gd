@@ -50,7 +50,7 @@ static func choices() -> PackedStringArray:
 static func right_choice(model: TimedShotModel) -> int:
 	if not model.has_shot() or model.kind != TimedShotModel.Kind.LINE or model.radius == 0.0:
 		return -1
-	var plain := TimedShotMistakes.half_window(model)
+	var plain := model.plain_half_window()
 	return 2 if model.half_window() - plain > 1e-9 * plain else 1
 
 
@@ -139,7 +139,7 @@ static func _on_mistake(model: TimedShotModel) -> String:
 	if model.mistake == TimedShotMistakes.BULLET_FORGOTTEN:
 		return (
 			LabText.translate("the mistake says ± %s s")
-			% NumberText.short(TimedShotMistakes.half_window(model))
+			% NumberText.short(model.plain_half_window())
 		)
 	var apart := model.miss_at(model.wrong_fire()).distance
 	return (

@@ -18,7 +18,7 @@ func test_the_flight_is_taken_away() -> void:
 
 func test_the_window_has_the_bullet_s_motion() -> void:
 	var model := _model(TimedShotMistakes.BULLET_FORGOTTEN)
-	assert_almost_eq(TimedShotMistakes.half_window(model), 0.1, 1e-15)
+	assert_almost_eq(model.plain_half_window(), 0.1, 1e-15)
 	assert_true(model.mistake_shows())
 	assert_false(model.compares(TimedShotModel.Step.FIRE), "it is no other shot")
 	model.bullet.set_xy(100.0, -200.0)
