@@ -43,6 +43,10 @@ USES = {
     "line_ends": Use((1164, 465), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
     # The first component of a, from 4 to 2.
     "more_dimensions": Use((459, 157), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (459, 198)),
+    # The target, nearer to the shooter.
+    "ballistic_aim": Use((743, 358), r"P = \(200, 0\)", r"P = \(160, 0\)", (678, 358)),
+    # Where the target starts.
+    "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.

@@ -1,7 +1,7 @@
 class_name CirclePass
 extends RefCounted
-## A bullet that flies straight past a target on a circle: when it crosses the circle, and when it is
-## nearest to the target. In plain numbers, because many moments are looked at.
+## A bullet that flies straight past a target on a circle: when it crosses the circle, and when it
+## is nearest to the target. In plain numbers, because many moments are looked at.
 
 # The target turns by no more than this between two looks, in radians.
 const _LOOK := 0.1
@@ -20,8 +20,8 @@ var _turn: float
 
 
 ## A bullet [param from] the circle's centre, in pixels, with [param velocity], in px/s, not zero.
-## The circle has [param radius]; the target is at the angle [param phase], in radians, as the bullet
-## is fired, and turns by [param turn] radians a second.
+## The circle has [param radius]; the target is at the angle [param phase], in radians, as the
+## bullet is fired, and turns by [param turn] radians a second.
 func _init(from: Vec2, velocity: Vec2, radius: float, phase: float, turn: float) -> void:
 	_x = from.x
 	_y = from.y

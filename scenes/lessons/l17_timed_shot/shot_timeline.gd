@@ -24,6 +24,8 @@ const _STEPS: Array[float] = [0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0]
 
 ## What the ring means: source text.
 @export var title := "Your moment to fire"
+## The heading where there is no ring: source text.
+@export var title_without_ring := "The moment to fire"
 
 var _span := 5.0
 var _own := 0.0
@@ -46,8 +48,8 @@ func _ready() -> void:
 		tooltip_text = tr(title)
 
 
-## Shows the moments from 0 to [param span] seconds with the student's, [param own]. A moment
-## [param right] or [param wrong] that is NAN is not shown, nor an empty [param window].
+## Shows the moments from 0 to [param span] seconds with the student's, [param own]. A moment that
+## is NAN is not shown, nor an empty [param window]; without a ring nothing can be dragged.
 func show_moments(
 	span: float, own: float, right: float, wrong: float, window: PackedFloat64Array
 ) -> void:
@@ -56,6 +58,7 @@ func show_moments(
 	_right = right
 	_wrong = wrong
 	_window = window
+	focus_mode = FOCUS_NONE if is_nan(own) else FOCUS_ALL
 	queue_redraw()
 
 
@@ -76,7 +79,8 @@ func _draw() -> void:
 	var quiet := Palette.color(Palette.Role.QUIET)
 	var heading := Vector2(_MARGIN, 18.0)
 	var font := get_theme_default_font()
-	draw_string(font, heading, tr(title), HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, quiet)
+	var words := tr(title_without_ring if is_nan(_own) else title)
+	draw_string(font, heading, words, HORIZONTAL_ALIGNMENT_LEFT, -1, _FONT_SIZE, quiet)
 	_draw_window(line)
 	var axis := Palette.drawn(Palette.AXIS)
 	draw_line(Vector2(_MARGIN, line), Vector2(size.x - _MARGIN, line), axis, 2.0)
@@ -141,12 +145,16 @@ func _draw_cross(seconds: float, line: float) -> void:
 
 
 func _draw_ring(line: float) -> void:
+	if is_nan(_own):
+		return
 	var middle := Vector2(pixel_of(_own), line)
 	var dot := DotTexture.of(Palette.drawn(Palette.PAPER), Palette.color(Palette.Role.A), _RING)
 	draw_texture(dot, middle - dot.get_size() / 2.0)
 
 
 func _gui_input(event: InputEvent) -> void:
+	if is_nan(_own):
+		return
 	var click := event as InputEventMouseButton
 	var motion := event as InputEventMouseMotion
 	if click and click.button_index == MOUSE_BUTTON_LEFT:

@@ -148,7 +148,8 @@ func _show_timeline(model: TimedShotModel, step: TimedShotModel.Step) -> void:
 		window = model.window()
 	var right := model.shot().fire if _knows(model, step) else NAN
 	var wrong := model.wrong_fire() if model.compares(step) else NAN
-	_timeline.show_moments(_span(model, step), model.own_fire, right, wrong, window)
+	var own := NAN if model.flies_right(step) else model.own_fire
+	_timeline.show_moments(_span(model, step), own, right, wrong, window)
 
 
 static func _knows(model: TimedShotModel, step: TimedShotModel.Step) -> bool:
