@@ -47,6 +47,10 @@ USES = {
     "aim_at": Use((279, 546), r"T = \(-80, 110\)", r"T = \(-50, 110\)", (330, 546)),
     # The tip of v.
     "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
+    # The target, nearer to the shooter.
+    "ballistic_aim": Use((743, 358), r"P = \(200, 0\)", r"P = \(160, 0\)", (678, 358)),
+    # Where the target starts.
+    "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.

@@ -30,6 +30,9 @@ const _GOOD: Dictionary[String, Array] = {
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
 	"aim_at": ["hull_degrees=45&target=100,20", "fire=0.9&mistake=30"],
 	"lead_target": ["velocity=-180,90", "own=0,90&speed=120&mistake=104"],
+	"ballistic_aim":
+	["target=80,-60&speed=200&gravity=250", "moves=true&velocity=30,-40&arc=1", "gravity=0"],
+	"timed_shot": ["muzzle=300,400&target=0,200", "kind=1&circling=-45&fire=2.5", "kind=2"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -87,6 +90,22 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"fifth=1e7,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"a=1e7,0,0,0": "1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.",
 		"view=0,2": "view must be within −1.4..1.4, not 2.",
+	},
+	"ballistic_aim":
+	{
+		"speed=0": "s must be within 1..100000, not 0.",
+		"gravity=-1": "g must be within 0..100000, not −1.",
+		"arc=4": "arc must be within 0..3, not 4.",
+		"mistake=9": "mistake must be one of 0, 101, ",
+	},
+	"timed_shot":
+	{
+		"bullet=0,0": "The bullet needs a speed of 1 px/s or more, not 0.",
+		"target=0,-50": "The circle needs a radius of 1 px or more, not 0.",
+		"circling=0": "circling must be within 1..720, not 0.",
+		"turning=721": "turning must be within −720..720, not 721.",
+		"fire=61": "fire must be within 0..60, not 61.",
+		"kind=3": "kind must be within 0..2, not 3.",
 	},
 	"error_and_time":
 	{

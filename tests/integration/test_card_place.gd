@@ -9,6 +9,7 @@ const _CARDS: Dictionary[StringName, String] = {
 	&"reflection": "Table",
 	&"more_dimensions": "Uses",
 	&"error_and_time": "Legend",
+	&"timed_shot": "Timeline",
 }
 
 

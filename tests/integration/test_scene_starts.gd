@@ -20,6 +20,8 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"error_and_time": [".:first_problem", "dropped_ball"],
 	&"aim_at": ["Board/Drawing/Mark:center", Vector2(60.0, 50.0)],
 	&"lead_target": ["Board/Drawing/Velocity:head", Vector2(150.0, 0.0)],
+	&"ballistic_aim": ["Board/Drawing/TargetHandle:point", Vector2(100.0, -20.0)],
+	&"timed_shot": ["Board/Drawing/Start:point", Vector2(-200.0, -50.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

@@ -117,6 +117,29 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"mistake:",
 		],
 	},
+	&"ballistic_aim":
+	{
+		words = ["mistake:", "w has no root: no t", "no t", "no d", "no direction"],
+		not_shown = ["D"],
+	},
+	&"timed_shot":
+	{
+		words =
+		[
+			"mistake:",
+			"turn",
+			"from T to X:",
+			"barrel then:",
+			"from S to X:",
+			"from",
+			"to",
+			"no f",
+			"no moment",
+			"W · n is 0: no f",
+			"direction: d = (T + V t − S) / (s t)",
+		],
+		not_shown = ["n", "X", "f"],
+	},
 	&"error_and_time":
 	{
 		words =

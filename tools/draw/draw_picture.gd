@@ -73,11 +73,20 @@ func _press_all() -> void:
 
 
 func _press(action: StringName) -> void:
+	if action == &"lab_next_step" and _is_at_last_step():
+		return
 	var key := InputMap.action_get_events(action)[0].duplicate() as InputEventKey
 	for is_down: bool in [true, false]:
 		key.pressed = is_down
 		root.push_input(key)
 	await process_frame
+
+
+# Behind it the key leads to the next lesson, which is another picture.
+func _is_at_last_step() -> bool:
+	var frame := current_scene as LessonFrame
+	var steps: Steps = frame.lesson.services.get(&"steps") if frame and frame.lesson else null
+	return steps != null and steps.is_at_end()
 
 
 # Where a processor draws, pictures that do not change stay on the screen: see SoftwareDrawing.

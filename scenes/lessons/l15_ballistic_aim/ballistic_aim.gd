@@ -1,59 +1,181 @@
 extends Lesson
-## Ballistic aim: a vector that can be dragged or typed, and its length.
-##
-## Undo, reset and links need no line here, because the model can be stored.
+## The lesson on aiming under gravity: a flat arc, a high arc, and the least speed that does.
+## Target, speed, gravity and the target's velocity at the start are in the scene: the handles there
+## show them.
 
-var _model := LengthModel.new()
+## At the opening the target goes up and down so often in 20 seconds, by this share of its distance.
+const _SWINGS := 4.0
+const _SWING := 0.5
+# Between two shots of the opening, in seconds.
+const _PAUSE := 0.4
+# Speeds and gravity are dragged in steps of this, in px/s and px/s².
+const _STEP := 10.0
+# What is farther away than so many times the target, or this many pixels, is not kept in view.
+const _FARTHEST := 1.6
+const _NEAREST := 60.0
 
-# Where v lies at the start is in the scene: select V in the editor and change its head.
-@onready var _v: DraggableVector = %V
-@onready var _formula: Formula = services.get(&"formula")
-@onready var _readout: Readout = services.get(&"readout")
+var _model := BallisticAimModel.new()
+var _formula: BallisticAimFormula
+var _readout: BallisticAimReadout
+# What the list of aims holds.
+var _arcs: PackedStringArray = []
 
-
-## What is kept, and what is computed from it.
-class LengthModel:
-	extends LessonModel
-	var v := Vec2.new()
-
-	func to_dictionary() -> Dictionary:
-		return {"v": PackedFloat64Array([v.x, v.y])}
-
-	func from_dictionary(stored: Dictionary) -> void:
-		var numbers: PackedFloat64Array = stored["v"]
-		v.set_xy(numbers[0], numbers[1])
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _options: LessonOptions = services.get(&"options")
+@onready var _drawing: BallisticAimDrawing = %Drawing
+@onready var _target: Handle = %TargetHandle
+@onready var _speed_head: Handle = %SpeedHead
+@onready var _gravity_head: Handle = %GravityHead
+@onready var _velocity_head: Handle = %VelocityHead
 
 
 func start() -> void:
-	_drag(_v.tail_point(), _v.head_point())
-	on_drag(_v.moved, _v.released, _drag)
-	on_enter(_enter)
-	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
+	_drag_target(_target.at())
+	_drag_speed(_speed_head.at())
+	_drag_gravity(_gravity_head.at())
+	_drag_velocity(_velocity_head.at())
+	_let_drag(_target, _drag_target)
+	_let_drag(_speed_head, _drag_speed)
+	_let_drag(_gravity_head, _drag_gravity)
+	_let_drag(_velocity_head, _drag_velocity)
+	_fill_panel()
+	begin(_model, _show, _spanned_points)
+	open_with(_swing.bind(_model.target.copy()))
+
+
+func _fill_panel() -> void:
+	_formula = BallisticAimFormula.new(services[&"formula"] as Formula)
+	_readout = BallisticAimReadout.new(services[&"readout"] as Readout)
+	_options.add_switch("moves", tr("The target moves"))
+	_options.add_switch("falls", tr("The target falls"))
+	_options.add_choice("arc", tr("Which aim is flown"), [])
+	_options.offer_presets(BallisticAimModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(BallisticAimMistakes.infos())
+	var kinds := BallisticAimExercise.Kind.size()
+	(services[&"question"] as Question).offer(BallisticAimExercise.fresh, kinds)
+	on_enter(_model.enter)
+	on_pick(_take)
+	on_edit(_options.chosen, func(_key: String, place: int) -> void: _model.arc = place)
+	_transport.advanced.connect(_fly)
+	# Not during a drag: measuring would slow it down.
+	about_to_show.connect(func() -> void: _readout.measure(_model))
+
+
+func _let_drag(handle: Handle, change: Callable) -> void:
+	on_drag(handle.moved, handle.released, change)
+
+
+# What moves by itself: the target goes up and down, and one straight shot after another comes too
+# low.
+func _swing(seconds: float, first: Vec2) -> void:
+	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	_model.target = Vec2.new(first.x, roundf(first.y - _SWING * first.length() * share))
+	_model.time = fmod(seconds, _model.end(_step()) + _PAUSE)
 
 
 # What the student does.
 
 
-func _drag(tail: Vec2, head: Vec2) -> void:
-	_model.v = head.minus(tail)
+func _drag_target(to: Vec2) -> void:
+	_model.target = _within(to)
 
 
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
+func _drag_speed(to: Vec2) -> void:
+	var wanted := snappedf(to.length() / BallisticAimModel.ARROW_SECONDS, _STEP)
+	_model.speed = clampf(wanted, _STEP, BallisticAimModel.LARGEST)
+
+
+func _drag_gravity(to: Vec2) -> void:
+	var wanted := snappedf(to.y / BallisticAimModel.ARROW_SECONDS, _STEP)
+	_model.gravity = clampf(wanted, 0.0, BallisticAimModel.LARGEST)
+
+
+func _drag_velocity(to: Vec2) -> void:
+	_model.velocity = _within(to.minus(_model.target).divided(BallisticAimModel.ARROW_SECONDS))
+
+
+static func _within(vector: Vec2) -> Vec2:
+	var most := BallisticAimModel.LARGEST
+	return Vec2.new(clampf(vector.x, -most, most), clampf(vector.y, -most, most))
+
+
+# A mistake is shown beside a single aim.
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
+	var is_shown := _model.mistake == 0 or BallisticAimModel.is_of_arcs(_step())
+	if changes.has("mistake") and not is_shown:
+		(services[&"steps"] as Steps).go_to(BallisticAimModel.Step.ARCS)
+	return problem
+
+
+func _fly(seconds: float) -> void:
+	var end := _model.end(_step())
+	if _transport.is_playing and _model.time >= end:
+		_model.time = 0.0
+	_model.time = clampf(_model.time + seconds, 0.0, end)
+	if _model.time == end:
+		_transport.is_playing = false
+	_drawing.show_flight(_model, _step())
 
 
 # What the student sees.
 
 
+func _spanned_points() -> Array[Vec2]:
+	var seconds := BallisticAimModel.ARROW_SECONDS
+	var points: Array[Vec2] = [_model.target]
+	var others: Array[Vec2] = [
+		_model.pull().scaled(seconds),
+		_model.target.plus(Vec2.new(0.0, _model.fall_after(_model.straight_time()))),
+	]
+	if _model.moves:
+		others.append(_model.target.plus(_model.velocity.scaled(seconds)))
+	if _model.has_shot() and _step() >= BallisticAimModel.Step.ARCS:
+		others.append(_model.aim_point(_model.shot()))
+		others.append_array(_model.shots().map(func(shot: Aim) -> Vec2: return shot.target))
+	var most := maxf(_NEAREST, _FARTHEST * _model.target.length())
+	for other in others:
+		other.limit_length(most)
+		points.append(other)
+	return points
+
+
 func _show() -> void:
-	var v := _model.v
-	_v.lay(Vec2.new(), v)
-	_formula.put_symbol("v", "v", Palette.Role.A)
-	_formula.put_number("x", v.x, Palette.Role.A, tr("x of v"))
-	_formula.put_number("y", v.y, Palette.Role.A, tr("y of v"))
-	_formula.put_number("square", v.dot(v), Palette.Role.INK)
-	_formula.put_number("length", v.length(), Palette.Role.INK)
-	_formula.show_lines(["{v} = ( {x} , {y} )", "|{v}| = √({v} · {v}) = √{square} = {length}"])
-	# |v| is the scalar projection of v on itself.
-	var error := ExactProjection.error_of_scalar_projection(v.length(), v, v)
-	_readout.show_result("length", "|v|", v.length(), error, CallTimer.nanoseconds(v.length))
+	ask_choice_before(
+		BallisticAimModel.Step.TIMES,
+		BallisticAimTexts.question_on_count(),
+		BallisticAimTexts.choices(),
+		BallisticAimTexts.right_choice.bind(_model)
+	)
+	ask_before(
+		BallisticAimModel.Step.ARCS, BallisticAimTexts.question_on_aim(), _truth, _first_guess
+	)
+	tell_steps(BallisticAimTexts.sentences(_model))
+	tell_code(BallisticAimCode.lines(_model, _step()), BallisticAimCode.inputs(_model))
+	_drawing.show_model(_model, _step())
+	_formula.show_model(_model, _step())
+	_readout.show_model(_model, _step())
+	_show_arcs()
+
+
+func _show_arcs() -> void:
+	var texts := BallisticAimTexts.arcs(_model).slice(0, _model.shots().size())
+	if texts != _arcs:
+		_arcs = texts
+		_options.fill_choice("arc", texts)
+	if texts:
+		_options.show_choice("arc", _model.arc_flown())
+	_options.reveal_choice("arc", _step() >= BallisticAimModel.Step.ARCS and texts.size() > 1)
+
+
+# Null where no aim hits.
+func _truth() -> Vec2:
+	return _model.aim_point(_model.shots()[0]) if _model.has_shot() else null
+
+
+func _first_guess() -> Vec2:
+	return _model.target.copy()
+
+
+func _step() -> BallisticAimModel.Step:
+	return step as BallisticAimModel.Step

@@ -1,59 +1,182 @@
 extends Lesson
-## Timed shot: a vector that can be dragged or typed, and its length.
-##
-## Undo, reset and links need no line here, because the model can be stored.
+## The lesson on the moment to fire: the barrel does not follow the target, so the moment is all
+## that can be chosen. Muzzle, target, both velocities and the circle's centre at the start are in
+## the scene: the handles there show them.
 
-var _model := LengthModel.new()
+## At the opening the target goes so often along its way and back in 20 seconds, by the way of so
+## many seconds.
+const _SWINGS := 4.0
+const _SWING := 2.0
+# Velocities are dragged in steps of this, in px/s.
+const _STEP := 10.0
+# What lies farther away than so many times muzzle or target is not kept in view.
+const _FARTHEST := 1.2
+# Room below for the timeline, as a share of what is seen.
+const _BELOW := 1.55
 
-# Where v lies at the start is in the scene: select V in the editor and change its head.
-@onready var _v: DraggableVector = %V
-@onready var _formula: Formula = services.get(&"formula")
-@onready var _readout: Readout = services.get(&"readout")
+var _model := TimedShotModel.new()
+var _formula: TimedShotFormula
+var _readout: TimedShotReadout
 
-
-## What is kept, and what is computed from it.
-class LengthModel:
-	extends LessonModel
-	var v := Vec2.new()
-
-	func to_dictionary() -> Dictionary:
-		return {"v": PackedFloat64Array([v.x, v.y])}
-
-	func from_dictionary(stored: Dictionary) -> void:
-		var numbers: PackedFloat64Array = stored["v"]
-		v.set_xy(numbers[0], numbers[1])
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _options: LessonOptions = services.get(&"options")
+@onready var _drawing: TimedShotDrawing = %Drawing
+@onready var _timeline: ShotTimeline = %Timeline
+@onready var _muzzle: Handle = %Muzzle
+@onready var _leaving_head: Handle = %LeavingHead
+@onready var _start: Handle = %Start
+@onready var _velocity_head: Handle = %VelocityHead
+@onready var _centre: Handle = %Centre
 
 
 func start() -> void:
-	_drag(_v.tail_point(), _v.head_point())
-	on_drag(_v.moved, _v.released, _drag)
-	on_enter(_enter)
-	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
+	_model.muzzle = _muzzle.at()
+	_drag_bullet(_leaving_head.at())
+	_model.target = _start.at()
+	_drag_velocity(_velocity_head.at())
+	_drag_centre(_centre.at())
+	_let_drag(_muzzle, _drag_muzzle)
+	_let_drag(_leaving_head, _drag_bullet)
+	_let_drag(_start, _drag_target)
+	_let_drag(_velocity_head, _drag_velocity)
+	_let_drag(_centre, _drag_centre)
+	on_drag(_timeline.moment_wanted, _timeline.released, _take_moment)
+	add_child(CardPlace.new(_timeline, board, services[&"formula"]))
+	_fill_panel()
+	begin(_model, _show, _spanned_points)
+	open_with(_swing.bind(_model.target.copy()))
+
+
+func _fill_panel() -> void:
+	_formula = TimedShotFormula.new(services[&"formula"] as Formula)
+	_readout = TimedShotReadout.new(services[&"readout"] as Readout)
+	_options.add_choice("kind", tr("How target and barrel move"), TimedShotTexts.kinds())
+	_options.offer_presets(TimedShotModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(TimedShotMistakes.infos())
+	var kinds := TimedShotExercise.Kind.size()
+	(services[&"question"] as Question).offer(TimedShotExercise.fresh, kinds)
+	on_enter(_model.enter)
+	on_pick(_take)
+	on_edit(_options.chosen, func(_key: String, place: int) -> String: return _take({kind = place}))
+	_transport.advanced.connect(_fly)
+	# Not during a drag: measuring would slow it down.
+	about_to_show.connect(func() -> void: _readout.measure(_model))
+
+
+func _let_drag(handle: Handle, change: Callable) -> void:
+	on_drag(handle.moved, handle.released, change)
+
+
+# What moves by itself: the target goes along its way and back.
+func _swing(seconds: float, first: Vec2) -> void:
+	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var way := _model.velocity.scaled(_SWING * share)
+	_model.target = Vec2.new(roundf(first.x + way.x), roundf(first.y + way.y))
 
 
 # What the student does.
 
 
-func _drag(tail: Vec2, head: Vec2) -> void:
-	_model.v = head.minus(tail)
+func _drag_muzzle(to: Vec2) -> void:
+	_model.take({"muzzle": _pair(to)})
 
 
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
+func _drag_bullet(head: Vec2) -> void:
+	_model.take({"bullet": _velocity_to(head, _model.muzzle)})
+
+
+func _drag_target(to: Vec2) -> void:
+	_model.take({"target": _pair(to)})
+
+
+func _drag_velocity(head: Vec2) -> void:
+	_model.take({"velocity": _velocity_to(head, _model.target)})
+
+
+func _drag_centre(to: Vec2) -> void:
+	_model.take({"centre": _pair(to)})
+
+
+func _take_moment(seconds: float) -> void:
+	_model.own_fire = clampf(seconds, 0.0, TimedShotCheck.LONGEST)
+
+
+static func _velocity_to(head: Vec2, tail: Vec2) -> PackedFloat64Array:
+	var wanted := head.minus(tail).divided(TimedShotModel.ARROW_SECONDS)
+	return [snappedf(wanted.x, _STEP), snappedf(wanted.y, _STEP)]
+
+
+static func _pair(vector: Vec2) -> PackedFloat64Array:
+	return [vector.x, vector.y]
+
+
+# A mistake is shown at the step that it is about.
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
+	if changes.has("mistake") and _model.mistake != 0:
+		if not TimedShotTexts.is_compared(_model, _step()):
+			(services[&"steps"] as Steps).go_to(TimedShotTexts.step_of_mistake(_model.mistake))
+	return problem
+
+
+func _fly(seconds: float) -> void:
+	var end := _model.end(_step())
+	if _transport.is_playing and _model.time >= end:
+		_model.time = 0.0
+	_model.time = clampf(_model.time + seconds, 0.0, end)
+	if _model.time == end:
+		_transport.is_playing = false
+	_drawing.show_motion(_model, _step())
 
 
 # What the student sees.
 
 
+func _spanned_points() -> Array[Vec2]:
+	var points: Array[Vec2] = [_model.muzzle, _model.target]
+	var most := 1.0
+	for point in points:
+		most = maxf(most, _FARTHEST * point.length())
+	var others: Array[Vec2] = [_model.target_after(_model.own_fire)]
+	if _model.kind == TimedShotModel.Kind.CIRCLE:
+		var rho := _model.circle_radius()
+		others.append(_model.centre.plus(Vec2.new(rho, rho)))
+		others.append(_model.centre.minus(Vec2.new(rho, rho)))
+	elif _model.flight() > 0.0:
+		others.append(_model.crossing())
+	for other in others:
+		other.limit_length(most)
+		points.append(other)
+	for point: Vec2 in points.duplicate():
+		points.append(Vec2.new(0.0, _BELOW * point.y))
+	return points
+
+
 func _show() -> void:
-	var v := _model.v
-	_v.lay(Vec2.new(), v)
-	_formula.put_symbol("v", "v", Palette.Role.A)
-	_formula.put_number("x", v.x, Palette.Role.A, tr("x of v"))
-	_formula.put_number("y", v.y, Palette.Role.A, tr("y of v"))
-	_formula.put_number("square", v.dot(v), Palette.Role.INK)
-	_formula.put_number("length", v.length(), Palette.Role.INK)
-	_formula.show_lines(["{v} = ( {x} , {y} )", "|{v}| = √({v} · {v}) = √{square} = {length}"])
-	# |v| is the scalar projection of v on itself.
-	var error := ExactProjection.error_of_scalar_projection(v.length(), v, v)
-	_readout.show_result("length", "|v|", v.length(), error, CallTimer.nanoseconds(v.length))
+	ask_before(
+		TimedShotModel.Step.WAIT,
+		TimedShotTexts.question_on_moment(),
+		_truth,
+		func() -> Vec2: return _model.target.copy()
+	)
+	ask_choice_before(
+		TimedShotModel.Step.WINDOW,
+		TimedShotTexts.question_on_window(),
+		TimedShotTexts.choices(),
+		TimedShotTexts.right_choice.bind(_model)
+	)
+	tell_steps(TimedShotTexts.sentences(_model))
+	tell_code(TimedShotCode.lines(_model, _step()), TimedShotCode.inputs(_model))
+	_drawing.show_model(_model, _step())
+	_formula.show_model(_model, _step())
+	_readout.show_model(_model, _step())
+	_options.show_choice("kind", _model.kind)
+
+
+# Null where no moment hits.
+func _truth() -> Vec2:
+	return _model.target_after(_model.shot().fire) if _model.has_shot() else null
+
+
+func _step() -> TimedShotModel.Step:
+	return step as TimedShotModel.Step

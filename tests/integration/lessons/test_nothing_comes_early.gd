@@ -88,6 +88,9 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Aimed": 4,
 		"RightWay": 4,
 	},
+	&"ballistic_aim":
+	{"Drop": 1, "Verdict": 2, "Arc1": 3, "Arc2": 3, "Aim": 3, _TABLE: 3, "Envelope": 4, "Least": 4},
+	&"timed_shot": {"Cross": 1, "Verdict": 2, "Waiting": 2, _TABLE: 2},
 }
 
 
