@@ -66,7 +66,7 @@ static func arcs(model: BallisticAimModel) -> PackedStringArray:
 static func verdict(model: BallisticAimModel, step: BallisticAimModel.Step) -> PackedStringArray:
 	var words: PackedStringArray = [_count(model)]
 	if step == BallisticAimModel.Step.FIRE and model.has_shot():
-		words = ShotText.of_right(model.miss().distance, model.rounding())
+		words = [ShotText.of_right(model.miss().distance, model.rounding())]
 	if model.mistake != 0 and BallisticAimModel.is_of_arcs(step):
 		words.append(_on_mistake(model))
 	return words

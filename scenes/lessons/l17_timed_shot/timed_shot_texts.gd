@@ -63,7 +63,7 @@ static func verdict(model: TimedShotModel, step: TimedShotModel.Step) -> PackedS
 		TimedShotModel.Step.WINDOW:
 			words = [_on_span(model), _on_own_shot(model)]
 		TimedShotModel.Step.FIRE:
-			words = ShotText.of_right(model.miss().distance, model.rounding())
+			words = [ShotText.of_right(model.miss().distance, model.rounding())]
 		_:
 			var hit := model.shot().fire + model.shot().flight
 			words = [
