@@ -28,6 +28,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"line_ends": ["shot=-6,-8,6,16,4&time=0.25"],
 	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1", "has_five=true&fifth=3,-1"],
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
+	"bank_shot":
+	["bounciness=0.5&radius=10", "walls=0,280,320,240;350,250,310,20&bounces=2&order=12"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -91,6 +93,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"problem=none": "problem must be one of ",
 		"situation=-1": "situation must be within 0..",
 		"situation=99": "situation must be within 0..",
+	},
+	"bank_shot":
+	{
+		"radius=0": "r must be within 0.01..10000, not 0.",
+		"bounces=4": "bounces must be within 1..3, not 4.",
+		"order=3": "order must be one of 1, 2, not “3”.",
+		"walls=1,1,1,1": "A wall must be at least 0.01 px long",
 	},
 }
 

@@ -18,6 +18,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"line_ends": ["Board/Shot:head", Vector2(1.0, 8.0), "line_ends_field.tscn"],
 	&"more_dimensions": ["Board/Bars:a", [1.0, 2.0, 3.0, 4.0]],
 	&"error_and_time": [".:first_problem", "dropped_ball"],
+	&"bank_shot": ["Board/Drawing/Wall1:head", Vector2(480.0, 280.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

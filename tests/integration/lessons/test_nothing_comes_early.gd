@@ -61,6 +61,20 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 	{"InfiniteTwoSided": 1, "SegmentOneSided": 2, "RoundCaps": 3, "Graph": 4, _TABLE: 5},
 	&"more_dimensions": {"Stairs": 1, "Shadow": 3, "VerdictCard": 3, _TABLE: 4},
 	&"error_and_time": {_TABLE: 1},
+	&"bank_shot":
+	{
+		"Moved1": 1,
+		"Normal1": 1,
+		"Image1": 2,
+		"Mirror1": 2,
+		"Depth": 2,
+		"Straight1": 3,
+		"Bounce1": 3,
+		"Path": 3,
+		"Verdict": 3,
+		_TABLE: 3,
+		"Orders": 4,
+	},
 }
 
 
