@@ -15,11 +15,10 @@ var _model := BankShotModel.new()
 var _formula: BankShotFormula
 # Seconds since the shot.
 var _seconds := 0.0
-var _nanoseconds := 0.0
+var _readout: BankShotReadout
+var _choices: BankShotChoices
 
 @onready var _transport: Transport = services.get(&"transport")
-@onready var _options: LessonOptions = services.get(&"options")
-@onready var _readout: Readout = services.get(&"readout")
 @onready var _drawing: BankShotDrawing = %Drawing
 @onready var _walls: Array[DraggableVector] = [%Wall1, %Wall2, %Wall3, %Wall4]
 @onready var _ball: BallView = %Ball
@@ -33,18 +32,18 @@ func start() -> void:
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_measure)
 	begin(_model, _show, func() -> Array[Vec2]: return _model.points_to_show(_step()))
-	open_with(_swing.bind(_model.target.copy()))
+	open_with(_swing.bind(_model.board.target.copy()))
 
 
 func _read_scene() -> void:
-	_model.start = _ball.at()
-	_model.radius = _ball.radius
-	_model.target = _target.at()
-	_model.bounces = bounces
-	_model.bounciness = bounciness
+	_model.board.start = _ball.at()
+	_model.board.radius = _ball.radius
+	_model.board.target = _target.at()
+	_model.board.bounces = bounces
+	_model.board.bounciness = bounciness
 	for wall in _walls:
 		if wall.visible:
-			_model.walls.append(LineSegment.new(wall.tail_point(), wall.head_point()))
+			_model.board.walls.append(LineSegment.new(wall.tail_point(), wall.head_point()))
 
 
 func _let_drag() -> void:
@@ -63,11 +62,11 @@ func _let_drag_handle(handle: Handle, change: Callable) -> void:
 
 func _fill_panel() -> void:
 	_formula = BankShotFormula.new(services[&"formula"] as Formula)
-	var counts: PackedStringArray = [tr("1 bounce"), tr("2 bounces"), tr("3 bounces")]
-	_options.add_choice("bounces", tr("Bounces"), counts)
-	_options.add_choice("order", tr("Order of walls"), [])
-	on_edit(_options.chosen, _choose)
-	_options.offer_presets(BankShotModel.PRESETS)
+	_readout = BankShotReadout.new(services[&"readout"] as Readout)
+	var options := services[&"options"] as LessonOptions
+	_choices = BankShotChoices.new(options)
+	on_edit(options.chosen, _choose)
+	options.offer_presets(BankShotModel.PRESETS)
 	(services[&"mistakes"] as Mistakes).add_all(BankShotMistakes.infos())
 	var kinds := BankShotExercise.Kind.size()
 	(services[&"question"] as Question).offer(BankShotExercise.fresh, kinds)
@@ -81,7 +80,7 @@ func _fill_panel() -> void:
 # To hundredths, so that the numbers beside it stay short.
 func _swing(seconds: float, first: Vec2) -> void:
 	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
-	_model.target.x = snappedf(first.x + _SWING * share, 0.01)
+	_model.board.target.x = snappedf(first.x + _SWING * share, 0.01)
 
 
 func _fly(seconds: float) -> void:
@@ -101,10 +100,7 @@ func _move_wall(from: Vec2, to: Vec2, place: int) -> String:
 
 
 func _choose(key: String, place: int) -> String:
-	if key == "bounces":
-		return _model.take_bounces(place + 1)
-	var orders := BankShotModel.orders(_model.walls.size(), _model.bounces)
-	return _model.take({"order": orders[place - 1] if place > 0 else ""})
+	return _choices.choose(_model, key, place)
 
 
 func _take(changes: Dictionary) -> String:
@@ -126,7 +122,7 @@ func _measure() -> void:
 	if _step() == BankShotModel.Step.FIRE:
 		_model.answer().measure_bound()
 	if _step() >= BankShotModel.Step.BOUNCE:
-		_nanoseconds = CallTimer.nanoseconds_of_slow(_model.first_way)
+		_readout.measure(_model)
 
 
 func _show() -> void:
@@ -134,16 +130,16 @@ func _show() -> void:
 		BankShotModel.Step.IMAGE,
 		BankShotTexts.question_on_image(),
 		BankShotTexts.choices(),
-		func() -> int: return 1 if _model.bounces == 1 and _model.answer().way.hit else -1
+		func() -> int: return 1 if _model.board.bounces == 1 and _model.answer().way.hit else -1
 	)
 	ask_before(BankShotModel.Step.BOUNCE, BankShotTexts.question_on_bounce(), _truth, _first_guess)
 	tell_steps(BankShotTexts.sentences(_model))
 	tell_code(BankShotCode.lines(_model, _step()), BankShotCode.inputs(_model))
-	_show_choices()
+	_choices.show_model(_model, _step())
 	_transport.visible = _step() == BankShotModel.Step.FIRE
 	_drawing.show_model(_model, _step(), _seconds)
 	_formula.show_model(_model, _step())
-	_show_call()
+	_readout.show_model(_model, _step())
 
 
 func _truth() -> Vec2:
@@ -152,27 +148,8 @@ func _truth() -> Vec2:
 
 
 func _first_guess() -> Vec2:
-	return _model.start.lerped(_model.target, 0.5)
+	return _model.board.start.lerped(_model.board.target, 0.5)
 
 
 func _step() -> BankShotModel.Step:
 	return step as BankShotModel.Step
-
-
-func _show_choices() -> void:
-	_options.show_choice("bounces", _model.bounces - 1)
-	_options.reveal_choice("order", _step() >= BankShotModel.Step.ORDERS)
-	_options.fill_choice("order", BankShotTexts.orders(_model))
-	var orders := BankShotModel.orders(_model.walls.size(), _model.bounces)
-	_options.show_choice("order", orders.find(_model.order) + 1)
-
-
-func _show_call() -> void:
-	_readout.visible = _step() >= BankShotModel.Step.BOUNCE
-	var way := _model.answer().way
-	if not way.hit:
-		_readout.show_texts("direction", [tr("direction"), tr("none"), "", ""])
-		return
-	_readout.show_vector(
-		"direction", tr("direction"), way.direction, _model.error_of(way), _nanoseconds
-	)

@@ -29,35 +29,35 @@ var wrong_corners: Array[Vec2] = []
 ## its condition; NAN until [method measure_bound].
 var bound := NAN
 
-var _model := BankShotModel.new()
+var _board: BankBoard
 var _right_shot: FiredShot
 var _wrong_shot: FiredShot
 
 
-## Of [param model] as it is now.
-func _init(model: BankShotModel) -> void:
-	# A copy that knows no answer: two objects that hold each other would never be freed.
-	_model.from_dictionary(model.to_dictionary())
-	overlapped = _overlapped_wall()
+## Of [param board], with the [param order] of walls that was picked, "" for none, and the number of
+## the [param mistake] that is switched on, 0 for none.
+func _init(board: BankBoard, order: String, mistake: int) -> void:
+	_board = board.copy()
+	overlapped = _board.overlapped_wall()
 	_find_ways()
-	_pick_way()
+	_pick_way(order)
 	speed = way.distance / SECONDS if way.images else 0.0
 	if way.hit:
 		corners = shot(way.direction).corners(SECONDS)
-	if model.mistake != 0 and way.images and overlapped < 0:
-		wrong_direction = BankShotMistakes.direction(model.mistake, _model, way)
+	if mistake != 0 and way.images and overlapped < 0:
+		wrong_direction = BankShotMistakes.direction(mistake, _board, way)
 		wrong_corners = shot(wrong_direction).corners(LONGEST)
 
 
 ## A shot in [param direction], as it flies in the event world.
 func shot(direction: Vec2) -> FiredShot:
 	return FiredShot.new(
-		_model.start,
+		_board.start,
 		direction.scaled(speed),
 		Vec2.zero(),
-		_model.radius,
-		_model.walls,
-		_model.bounciness
+		_board.radius,
+		_board.walls,
+		_board.bounciness
 	)
 
 
@@ -101,7 +101,7 @@ func distance_of(places: Array[Vec2]) -> float:
 	var least := INF
 	for at in range(1, places.size()):
 		var leg := LineSegment.new(places[at - 1], places[at])
-		least = minf(least, leg.closest_point(_model.target).distance_to(_model.target))
+		least = minf(least, leg.closest_point(_board.target).distance_to(_board.target))
 	return least
 
 
@@ -121,25 +121,21 @@ static func failing_wall(refused: BankWay) -> int:
 # An order may have several ways, on different sides of a wall.
 func _find_ways() -> void:
 	var best: Dictionary[String, BankWay] = {}
-	for order in BankShotModel.orders(_model.walls.size(), _model.bounces):
+	for order in _board.orders():
 		best[order] = BankWay.new()
-		best[order].walls = BankShotModel.walls_of(order)
-	var found := BankAim.ways(
-		_model.start, _model.target, _model.radius, _model.bounciness, _model.walls, _model.bounces
-	)
-	for one in found:
-		var order := BankShotModel.order_of(one.walls)
+		best[order].walls = BankBoard.walls_of(order)
+	for one in _board.ways():
+		var order := BankBoard.order_of(one.walls)
 		if _rank(one) > _rank(best[order]):
 			best[order] = one
 	ways = best.values()
 
 
-func _pick_way() -> void:
+func _pick_way(order: String) -> void:
 	way = ways[0]
 	for one in ways:
-		var order := BankShotModel.order_of(one.walls)
-		if _model.order:
-			way = one if order == _model.order else way
+		if order:
+			way = one if BankBoard.order_of(one.walls) == order else way
 		elif _rank(one) > _rank(way) or one.hit and one.distance < way.distance:
 			way = one
 
@@ -149,29 +145,20 @@ static func _rank(one: BankWay) -> int:
 	return BankWay.Outcome.size() if one.hit else one.outcome
 
 
-func _overlapped_wall() -> int:
-	for place in _model.walls.size():
-		for point: Vec2 in [_model.start, _model.target]:
-			var nearest := _model.walls[place].closest_point(point)
-			if nearest.distance_to(point) <= _model.radius:
-				return place
-	return -1
-
-
 # All that the right shot hangs on.
 func _numbers() -> PackedFloat64Array:
 	var numbers: PackedFloat64Array = [
-		_model.start.x,
-		_model.start.y,
-		_model.target.x,
-		_model.target.y,
-		_model.radius,
-		_model.bounciness,
+		_board.start.x,
+		_board.start.y,
+		_board.target.x,
+		_board.target.y,
+		_board.radius,
+		_board.bounciness,
 		way.direction.x,
 		way.direction.y,
 		way.distance,
 	]
-	for wall in _model.walls:
+	for wall in _board.walls:
 		numbers.append_array([wall.start.x, wall.start.y, wall.end.x, wall.end.y])
 	return numbers
 

@@ -33,11 +33,11 @@ static func inputs(model: BankShotModel) -> Dictionary[String, Variant]:
 	var way := model.answer().way
 	return {
 		"BankAim": BankAim,
-		"wall": model.walls[way.walls[-1]],
-		"walls": model.walls,
-		"start": model.start,
-		"target": model.target,
-		"radius": model.radius,
-		"bounciness": model.bounciness,
-		"bounces": model.bounces,
+		"wall": model.board.walls[way.walls[-1]],
+		"walls": model.board.walls,
+		"start": model.board.start,
+		"target": model.board.target,
+		"radius": model.board.radius,
+		"bounciness": model.board.bounciness,
+		"bounces": model.board.bounces,
 	}

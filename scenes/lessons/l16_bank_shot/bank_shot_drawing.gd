@@ -36,10 +36,10 @@ const _AROUND_CARD := 24.0
 ## Draws [param model] as far as [param step] has got, [param seconds] after the shot.
 func show_model(model: BankShotModel, step: BankShotModel.Step, seconds: float) -> void:
 	_lay_walls(model)
-	_ball.lay(model.start, model.radius)
-	_target.lay(model.target, model.radius)
-	_start_handle.place_ball(model.start, model.radius)
-	_target_handle.place_ball(model.target, model.radius)
+	_ball.lay(model.board.start, model.board.radius)
+	_target.lay(model.board.target, model.board.radius)
+	_start_handle.place_ball(model.board.start, model.board.radius)
+	_target_handle.place_ball(model.board.target, model.board.radius)
 	for place in _moved.size():
 		_lay_mirror(model, step, place)
 	_lay_depths(model, step)
@@ -57,17 +57,17 @@ func show_balls(model: BankShotModel, step: BankShotModel.Step, seconds: float) 
 	if _flying.visible:
 		# It stays where it has arrived.
 		var place := answer.right_place_after(minf(seconds, BankShotAnswer.SECONDS))
-		_flying.lay(place, model.radius)
+		_flying.lay(place, model.board.radius)
 	_wrong_ball.visible = flies and seconds > 0.0 and answer.mistake_shows()
 	if _wrong_ball.visible:
-		_wrong_ball.lay(answer.wrong_place_after(seconds), model.radius)
+		_wrong_ball.lay(answer.wrong_place_after(seconds), model.board.radius)
 
 
 func _lay_walls(model: BankShotModel) -> void:
 	for place in _walls.size():
-		_walls[place].visible = place < model.walls.size()
+		_walls[place].visible = place < model.board.walls.size()
 		if _walls[place].visible:
-			_walls[place].lay(model.walls[place].start, model.walls[place].end)
+			_walls[place].lay(model.board.walls[place].start, model.board.walls[place].end)
 
 
 # The wall of the bounce that comes at `place`, counted from the first one, moved by the radius, and
@@ -82,16 +82,16 @@ func _lay_mirror(model: BankShotModel, step: BankShotModel.Step, place: int) -> 
 	_mirrors[place].visible = _images[place].visible
 	if not is_there:
 		return
-	var wall := model.walls[way.walls[place]]
+	var wall := model.board.walls[way.walls[place]]
 	var normal := wall.normal().scaled(way.sides[place])
-	var away := normal.scaled(model.radius)
+	var away := normal.scaled(model.board.radius)
 	_moved[place].lay(wall.start.plus(away), wall.end.plus(away))
 	var foot := wall.start.lerped(wall.end, _NORMAL_SHARE)
 	var length := _NORMAL_PIXELS / _ball.board.pixels_per_unit
 	_normals[place].lay(foot, foot.plus(normal.scaled(length)))
 	var count := way.walls.size()
 	_images[place].label = BankShotTexts.image_symbol(count - place, count)
-	_images[place].lay(way.images[place], model.radius)
+	_images[place].lay(way.images[place], model.board.radius)
 	_mirrors[place].lay(way.images[place + 1], way.images[place])
 
 
@@ -104,18 +104,18 @@ func _lay_depths(model: BankShotModel, step: BankShotModel.Step) -> void:
 	_image_depth.visible = is_shown
 	if not is_shown:
 		return
-	var wall := model.walls[way.walls[0]]
+	var wall := model.board.walls[way.walls[0]]
 	var normal := wall.normal().scaled(way.sides[0])
-	var height := model.target.minus(wall.start).dot(normal) - model.radius
-	var foot := model.target.minus(normal.scaled(height))
+	var height := model.board.target.minus(wall.start).dot(normal) - model.board.radius
+	var foot := model.board.target.minus(normal.scaled(height))
 	# On the side on which the ball is not.
 	var beside := wall.along()
-	if beside.dot(model.start.minus(model.target)) > 0.0:
+	if beside.dot(model.board.start.minus(model.board.target)) > 0.0:
 		beside = beside.negated()
 	_depth.label = "d = %s" % NumberText.short(height)
-	_depth.lay(foot, model.target, beside)
-	var depth := NumberText.short(height / model.bounciness)
-	_image_depth.label = "d = %s" % depth if model.bounciness == 1.0 else "d / C = %s" % depth
+	_depth.lay(foot, model.board.target, beside)
+	var depth := NumberText.short(height / model.board.bounciness)
+	_image_depth.label = "d = %s" % depth if model.board.bounciness == 1.0 else "d / C = %s" % depth
 	_image_depth.lay(foot, way.images[0], beside)
 
 
@@ -125,7 +125,7 @@ func _lay_way(model: BankShotModel, step: BankShotModel.Step) -> void:
 	var has_way := not way.images.is_empty() and step >= BankShotModel.Step.BOUNCE
 	_path.visible = has_way and way.hit
 	_orders.visible = step == BankShotModel.Step.ORDERS
-	_orders.show_ways(answer.ways, model.start)
+	_orders.show_ways(answer.ways, model.board.start)
 	_path.show_path(answer.corners)
 	for place in _bounces.size():
 		_lay_straight(model, place, has_way and step == BankShotModel.Step.BOUNCE)
@@ -133,7 +133,7 @@ func _lay_way(model: BankShotModel, step: BankShotModel.Step) -> void:
 		_bounces[place].visible = is_there and step != BankShotModel.Step.ORDERS
 		if is_there:
 			_bounces[place].label = BankShotTexts.numbered("B", place + 1, way.walls.size())
-			_bounces[place].lay(way.bounces[place], model.radius)
+			_bounces[place].lay(way.bounces[place], model.board.radius)
 	var has_mistake := answer.mistake_shows() and step != BankShotModel.Step.ORDERS
 	_wrong_path.visible = has_mistake and step >= BankShotModel.Step.BOUNCE
 	_wrong_path.show_path(answer.wrong_corners)
@@ -146,7 +146,7 @@ func _lay_straight(model: BankShotModel, place: int, is_shown: bool) -> void:
 	var is_there := place < way.sides.size() and place <= way.bounces.size()
 	_straights[place].visible = is_shown and is_there
 	if _straights[place].visible:
-		var from := model.start if place == 0 else way.bounces[place - 1]
+		var from := model.board.start if place == 0 else way.bounces[place - 1]
 		var straight: Array[Vec2] = [from, way.images[place]]
 		_straights[place].show_path(straight)
 
@@ -157,7 +157,7 @@ func _lay_handles(model: BankShotModel) -> void:
 	if grip:
 		_radius_handle.place(grip)
 	var way := model.answer().way
-	_image_handle.visible = _images[0].visible and model.bounces == 1
+	_image_handle.visible = _images[0].visible and model.board.bounces == 1
 	if _image_handle.visible:
 		_image_handle.place(way.images[0])
 
@@ -171,7 +171,7 @@ func _show_verdict(model: BankShotModel, step: BankShotModel.Step) -> void:
 		Palette.Role.WRONG if is_wrong else Palette.Role.RIGHT,
 		BankShotTexts.verdict(model, step)
 	)
-	var seen := model.points() + answer.corners
+	var seen := model.board.points() + answer.corners
 	if step == BankShotModel.Step.BOUNCE:
 		seen.append_array(answer.way.images)
 	var busy: PackedVector2Array = []

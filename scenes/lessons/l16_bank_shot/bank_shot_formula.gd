@@ -18,7 +18,7 @@ func show_model(model: BankShotModel, step: BankShotModel.Step) -> void:
 	_put_what_is_typed(model)
 	var way := model.answer().way
 	# Worked out as the lines say. The core counts from the start, which rounds otherwise.
-	var image := model.target
+	var image := model.board.target
 	for place in way.images.size() - 1:
 		image = _put_mirror(model, place + 1, image)
 	if not way.images.is_empty():
@@ -49,7 +49,7 @@ func _lines(model: BankShotModel, way: BankWay, step: BankShotModel.Step) -> Pac
 
 func _lines_of_walls(model: BankShotModel) -> PackedStringArray:
 	var found: PackedStringArray = []
-	for number in range(1, model.walls.size() + 1):
+	for number in range(1, model.board.walls.size() + 1):
 		var line := tr("wall %d: ( {ax} , {ay} ) to ( {bx} , {by} )") % number
 		for name_of_end: String in ["ax", "ay", "bx", "by"]:
 			line = line.replace("{%s}" % name_of_end, "{%s%d}" % [name_of_end, number])
@@ -111,14 +111,16 @@ func _lines_of_direction(model: BankShotModel, way: BankWay) -> PackedStringArra
 func _put_what_is_typed(model: BankShotModel) -> void:
 	_formula.put_symbol("S", "S", Palette.Role.A)
 	_formula.put_symbol("T", "T", Palette.Role.B)
-	_formula.put_number("sx", model.start.x, Palette.Role.A, tr("x of S"))
-	_formula.put_number("sy", model.start.y, Palette.Role.A, tr("y of S"))
-	_formula.put_number("tx", model.target.x, Palette.Role.B, tr("x of T"))
-	_formula.put_number("ty", model.target.y, Palette.Role.B, tr("y of T"))
-	_formula.put_number("r", model.radius, Palette.Role.INK, tr("radius of the ball"))
-	_formula.put_number("C", model.bounciness, Palette.Role.INK, tr("bounciness C, 0.05 to 1"))
-	for place in model.walls.size():
-		var wall := model.walls[place]
+	_formula.put_number("sx", model.board.start.x, Palette.Role.A, tr("x of S"))
+	_formula.put_number("sy", model.board.start.y, Palette.Role.A, tr("y of S"))
+	_formula.put_number("tx", model.board.target.x, Palette.Role.B, tr("x of T"))
+	_formula.put_number("ty", model.board.target.y, Palette.Role.B, tr("y of T"))
+	_formula.put_number("r", model.board.radius, Palette.Role.INK, tr("radius of the ball"))
+	_formula.put_number(
+		"C", model.board.bounciness, Palette.Role.INK, tr("bounciness C, 0.05 to 1")
+	)
+	for place in model.board.walls.size():
+		var wall := model.board.walls[place]
 		var number := place + 1
 		_put_end("ax%d" % number, wall.start.x, tr("x of the start of wall %d") % number)
 		_put_end("ay%d" % number, wall.start.y, tr("y of the start of wall %d") % number)
@@ -135,12 +137,12 @@ func _put_mirror(model: BankShotModel, place: int, mirrored: Vec2) -> Vec2:
 	var way := model.answer().way
 	var count := way.walls.size()
 	var index := count - place
-	var wall := model.walls[way.walls[index]]
+	var wall := model.board.walls[way.walls[index]]
 	var normal := wall.normal().scaled(way.sides[index])
-	var away := normal.scaled(model.radius)
+	var away := normal.scaled(model.board.radius)
 	var moved := wall.start.plus(away)
 	var image := BankShotMistakes.image_of(
-		mirrored, wall, way.sides[index], model.radius, model.bounciness
+		mirrored, wall, way.sides[index], model.board.radius, model.board.bounciness
 	)
 	var key := str(place)
 	_formula.put_symbol("n" + key, BankShotTexts.numbered("n̂", place, count), Palette.Role.UNIT)
@@ -158,7 +160,7 @@ func _put_mirror(model: BankShotModel, place: int, mirrored: Vec2) -> Vec2:
 	var height := normal.dot(mirrored.minus(moved))
 	var size := _size_of([mirrored, wall.start, away])
 	_formula.put_sum("d" + key, height, size, Palette.Role.INK)
-	var way_back := normal.scaled((1.0 + 1.0 / model.bounciness) * size)
+	var way_back := normal.scaled((1.0 + 1.0 / model.board.bounciness) * size)
 	_formula.put_vector_sum(
 		"image_pair" + key, image, _sizes_of(mirrored, way_back), Palette.Role.PROJECTION
 	)
@@ -166,19 +168,19 @@ func _put_mirror(model: BankShotModel, place: int, mirrored: Vec2) -> Vec2:
 
 
 func _put_bounces(model: BankShotModel, way: BankWay) -> void:
-	var wall := model.walls[way.walls[0]]
+	var wall := model.board.walls[way.walls[0]]
 	var normal := wall.normal().scaled(way.sides[0])
-	var away := normal.scaled(model.radius)
+	var away := normal.scaled(model.board.radius)
 	var moved := wall.start.plus(away)
-	var size := _size_of([model.start, wall.start, away, way.images[0]])
-	var before := normal.dot(model.start.minus(moved))
+	var size := _size_of([model.board.start, wall.start, away, way.images[0]])
+	var before := normal.dot(model.board.start.minus(moved))
 	_formula.put_sum("e", before, size, Palette.Role.INK)
 	var behind := normal.dot(way.images[0].minus(moved))
 	_formula.put_sum("f", behind, size, Palette.Role.INK)
 	_formula.put_sum(
 		"s", before / (before - behind), size / absf(before - behind), Palette.Role.INK
 	)
-	var scales := _sizes_of(model.start, way.images[0])
+	var scales := _sizes_of(model.board.start, way.images[0])
 	for place in way.bounces.size():
 		var key := str(place + 1)
 		var symbol := BankShotTexts.numbered("B", place + 1, way.walls.size())

@@ -14,16 +14,16 @@ const WRONG_ORDER := 104
 
 ## In which direction the mistake with this number shoots, where [param way] would be the right one;
 ## zero where it aims at the start itself.
-static func direction(number: int, model: BankShotModel, way: BankWay) -> Vec2:
+static func direction(number: int, board: BankBoard, way: BankWay) -> Vec2:
 	match number:
 		RADIUS_FORGOTTEN:
-			return _at_image(model, way, 0.0, model.bounciness)
+			return _at_image(board, way, 0.0, board.bounciness)
 		MIDPOINT:
-			return _at_middle(model, way)
+			return _at_middle(board, way)
 		PLAIN_MIRROR:
-			return _at_image(model, way, model.radius, 1.0)
+			return _at_image(board, way, board.radius, 1.0)
 		WRONG_ORDER:
-			return _at_image_of_other_order(model, way)
+			return _at_image_of_other_order(board, way)
 	return way.direction
 
 
@@ -36,29 +36,29 @@ static func image_of(
 	return point.minus(normal.scaled((1.0 + 1.0 / bounciness) * height))
 
 
-static func _at_image(model: BankShotModel, way: BankWay, radius: float, bounciness: float) -> Vec2:
-	var image := model.target
+static func _at_image(board: BankBoard, way: BankWay, radius: float, bounciness: float) -> Vec2:
+	var image := board.target
 	for place in range(way.walls.size() - 1, -1, -1):
-		var wall := model.walls[way.walls[place]]
+		var wall := board.walls[way.walls[place]]
 		image = image_of(image, wall, way.sides[place], radius, bounciness)
-	return image.minus(model.start).normalized()
+	return image.minus(board.start).normalized()
 
 
-static func _at_image_of_other_order(model: BankShotModel, way: BankWay) -> Vec2:
-	var image := model.target
+static func _at_image_of_other_order(board: BankBoard, way: BankWay) -> Vec2:
+	var image := board.target
 	for place in way.walls.size():
-		var wall := model.walls[way.walls[place]]
-		image = image_of(image, wall, way.sides[place], model.radius, model.bounciness)
-	return image.minus(model.start).normalized()
+		var wall := board.walls[way.walls[place]]
+		image = image_of(image, wall, way.sides[place], board.radius, board.bounciness)
+	return image.minus(board.start).normalized()
 
 
 # Halfway between the feet of the start and of what the ball flies at after the first bounce.
-static func _at_middle(model: BankShotModel, way: BankWay) -> Vec2:
-	var wall := model.walls[way.walls[0]]
+static func _at_middle(board: BankBoard, way: BankWay) -> Vec2:
+	var wall := board.walls[way.walls[0]]
 	var normal := wall.normal().scaled(way.sides[0])
-	var middle := model.start.lerped(way.images[1], 0.5)
-	var height := middle.minus(wall.start).dot(normal) - model.radius
-	return middle.minus(normal.scaled(height)).minus(model.start).normalized()
+	var middle := board.start.lerped(way.images[1], 0.5)
+	var height := middle.minus(wall.start).dot(normal) - board.radius
+	return middle.minus(normal.scaled(height)).minus(board.start).normalized()
 
 
 ## What the bug gallery says of each, translated.

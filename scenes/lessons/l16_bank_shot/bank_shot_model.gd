@@ -80,17 +80,8 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	},
 }
 
-## The walls: one to [constant MOST_WALLS]; their numbers on screen begin with 1.
-var walls: Array[LineSegment] = []
-## The ball's centre at the start, and where it has to come to.
-var start := Vec2.new(100.0, 100.0)
-var target := Vec2.new(300.0, 160.0)
-## The ball's radius.
-var radius := 20.0
-## The bounciness C.
-var bounciness := 1.0
-## How many bounces there have to be.
-var bounces := 1
+## Ball, target and walls: one to [constant MOST_WALLS].
+var board := BankBoard.new()
 ## The order of walls that was picked, by their numbers on screen, such as `12`; "" for the one over
 ## which the ball arrives first.
 var order := ""
@@ -106,38 +97,8 @@ func answer() -> BankShotAnswer:
 	var asked := to_dictionary()
 	if _answer == null or asked != _answered:
 		_answered = asked
-		_answer = BankShotAnswer.new(self)
+		_answer = BankShotAnswer.new(board, order, mistake)
 	return _answer
-
-
-## All orders of so many walls for so many bounces, as in [member order]: no wall comes twice in a
-## row.
-static func orders(wall_count: int, bounce_count: int) -> PackedStringArray:
-	var found: PackedStringArray = [""]
-	for bounce in bounce_count:
-		var longer: PackedStringArray = []
-		for shorter in found:
-			for wall in wall_count:
-				if not shorter.ends_with(str(wall + 1)):
-					longer.append(shorter + str(wall + 1))
-		found = longer
-	return found
-
-
-## [param places] of walls, counted from 0, as an [member order].
-static func order_of(places: PackedInt32Array) -> String:
-	var found := ""
-	for place in places:
-		found += str(place + 1)
-	return found
-
-
-## The places of the walls of [param its_order], counted from 0.
-static func walls_of(its_order: String) -> PackedInt32Array:
-	var found: PackedInt32Array = []
-	for number in its_order:
-		found.append(number.to_int() - 1)
-	return found
 
 
 ## The point at which r can be dragged: on the first wall of the way, moved by r. Null where no way
@@ -146,14 +107,14 @@ func radius_grip() -> Vec2:
 	var way := answer().way
 	if way.sides.is_empty():
 		return null
-	var wall := walls[way.walls[0]]
-	var away := wall.normal().scaled(way.sides[0] * radius)
+	var wall := board.walls[way.walls[0]]
+	var away := wall.normal().scaled(way.sides[0] * board.radius)
 	return wall.start.lerped(wall.end, _GRIP).plus(away)
 
 
 ## Takes the distance of [param point] from the first wall of the way as r, in whole pixels.
 func fit_radius(point: Vec2) -> String:
-	var wall := walls[answer().way.walls[0]]
+	var wall := board.walls[answer().way.walls[0]]
 	var distance := absf(point.minus(wall.start).dot(wall.normal()))
 	return take({"radius": maxf(roundf(distance), 1.0)})
 
@@ -162,29 +123,14 @@ func fit_radius(point: Vec2) -> String:
 ## [param image], in steps of 0.05. Where the target touches the moved wall, every C will do.
 func fit_bounciness(image: Vec2) -> String:
 	var way := answer().way
-	var wall := walls[way.walls[-1]]
+	var wall := board.walls[way.walls[-1]]
 	var normal := wall.normal().scaled(way.sides[-1])
-	var before := target.minus(wall.start).dot(normal) - radius
-	var behind := radius - image.minus(wall.start).dot(normal)
+	var before := board.target.minus(wall.start).dot(normal) - board.radius
+	var behind := board.radius - image.minus(wall.start).dot(normal)
 	if before <= 0.0 or behind <= 0.0:
 		return ""
 	var steps := roundf(20.0 * before / behind)
 	return take({"bounciness": clampf(steps / 20.0, LEAST_BOUNCINESS, 1.0)})
-
-
-## What [method BankAim.first] answers for this board.
-func first_way() -> BankWay:
-	return BankAim.first(start, target, radius, bounciness, walls, bounces)
-
-
-## How far the direction of [param way] is from the exact one.
-func error_of(way: BankWay) -> float:
-	var used: Array[LineSegment] = []
-	for place in way.walls:
-		used.append(walls[place])
-	return ExactBank.error_of_direction(
-		way.direction, start, target, radius, bounciness, used, way.sides
-	)
 
 
 ## Puts the ball at [param point]. "" or a sentence; then it stays.
@@ -204,18 +150,13 @@ func move_wall(place: int, from: Vec2, to: Vec2) -> String:
 	return take({"walls": moved})
 
 
-## Takes so many bounces, and the order that is best for them.
-func take_bounces(count: int) -> String:
-	return take({"bounces": count, "order": ""})
-
-
 ## Takes a state's part; an order that does not fit to its bounces and walls is given up.
 func take(changes: Dictionary) -> String:
 	var wanted := changes.duplicate()
 	if (changes.has("walls") or changes.has("bounces")) and not changes.has("order"):
-		var all: Array = changes.get("walls", walls)
-		var count: int = changes.get("bounces", bounces)
-		wanted["order"] = order if order in orders(all.size(), count) else ""
+		var changed := BankShotModel.new()
+		changed.from_dictionary(to_dictionary().merged(changes, true))
+		wanted["order"] = order if order in changed.board.orders() else ""
 	return super(wanted)
 
 
@@ -229,20 +170,11 @@ func show_mistake(number: int) -> void:
 		Refusal.push(take(PRESETS[telling.get(number, "One bounce")]))
 
 
-## Start, target and the ends of all walls.
-func points() -> Array[Vec2]:
-	var found: Array[Vec2] = [start, target]
-	for wall in walls:
-		found.append(wall.start)
-		found.append(wall.end)
-	return found
-
-
 ## The points that the board has to show at [param step]: the images of several bounces only where
 ## they are looked at, because they may be far away.
 func points_to_show(step: Step) -> Array[Vec2]:
-	var found := points()
-	if bounces == 1 or step in [Step.IMAGE, Step.BOUNCE]:
+	var found := board.points()
+	if board.bounces == 1 or step in [Step.IMAGE, Step.BOUNCE]:
 		found.append_array(answer().way.images)
 	return found
 
@@ -269,15 +201,15 @@ func enter(name_in_line: String, value: float) -> String:
 
 func to_dictionary() -> Dictionary:
 	var ends: Array[PackedFloat64Array] = []
-	for wall in walls:
+	for wall in board.walls:
 		ends.append(PackedFloat64Array([wall.start.x, wall.start.y, wall.end.x, wall.end.y]))
 	return {
-		"start": PackedFloat64Array([start.x, start.y]),
-		"target": PackedFloat64Array([target.x, target.y]),
+		"start": PackedFloat64Array([board.start.x, board.start.y]),
+		"target": PackedFloat64Array([board.target.x, board.target.y]),
 		"walls": ends,
-		"radius": radius,
-		"bounciness": bounciness,
-		"bounces": bounces,
+		"radius": board.radius,
+		"bounciness": board.bounciness,
+		"bounces": board.bounces,
 		"order": order,
 		"mistake": mistake,
 	}
@@ -287,15 +219,15 @@ func problem_in(stored: Dictionary) -> String:
 	var model := BankShotModel.new()
 	model.from_dictionary(stored)
 	var problems: PackedStringArray = [
-		StateCheck.within("r", model.radius, SMALLEST_RADIUS, LARGEST_RADIUS),
-		StateCheck.within("C", model.bounciness, LEAST_BOUNCINESS, 1.0),
-		StateCheck.within("walls", model.walls.size(), 1.0, MOST_WALLS),
+		StateCheck.within("r", model.board.radius, SMALLEST_RADIUS, LARGEST_RADIUS),
+		StateCheck.within("C", model.board.bounciness, LEAST_BOUNCINESS, 1.0),
+		StateCheck.within("walls", model.board.walls.size(), 1.0, MOST_WALLS),
 		model._problem_of_bounces(),
 		StateCheck.mistake(model.mistake, BankShotMistakes.infos()),
 	]
-	for point in model.points():
+	for point in model.board.points():
 		problems.append(_problem_of_point(point))
-	for wall in model.walls:
+	for wall in model.board.walls:
 		problems.append(_problem_of_wall(wall))
 	var problem := StateCheck.first(problems)
 	return problem if problem else model._problem_of_order()
@@ -304,26 +236,28 @@ func problem_in(stored: Dictionary) -> String:
 func from_dictionary(stored: Dictionary) -> void:
 	var of_start: PackedFloat64Array = stored["start"]
 	var of_target: PackedFloat64Array = stored["target"]
-	start = Vec2.new(of_start[0], of_start[1])
-	target = Vec2.new(of_target[0], of_target[1])
-	walls = []
+	board.start = Vec2.new(of_start[0], of_start[1])
+	board.target = Vec2.new(of_target[0], of_target[1])
+	board.walls = []
 	for of_wall: Variant in stored["walls"]:
 		var ends: PackedFloat64Array = of_wall
-		walls.append(LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3])))
-	radius = stored["radius"]
-	bounciness = stored["bounciness"]
-	bounces = stored["bounces"]
+		board.walls.append(LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3])))
+	board.radius = stored["radius"]
+	board.bounciness = stored["bounciness"]
+	board.bounces = stored["bounces"]
 	order = stored["order"]
 	mistake = stored["mistake"]
 
 
 # Off one wall alone no ball bounces twice.
 func _problem_of_bounces() -> String:
-	return StateCheck.within("bounces", bounces, 1.0, MOST_BOUNCES if walls.size() > 1 else 1)
+	return StateCheck.within(
+		"bounces", board.bounces, 1.0, MOST_BOUNCES if board.walls.size() > 1 else 1
+	)
 
 
 func _problem_of_order() -> String:
-	var all := orders(walls.size(), bounces)
+	var all := board.orders()
 	return "" if order == "" or order in all else StateCheck.word("order", order, all)
 
 

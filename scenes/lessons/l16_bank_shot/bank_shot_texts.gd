@@ -106,18 +106,18 @@ static func verdict(model: BankShotModel, step: BankShotModel.Step) -> PackedStr
 
 
 static func _on_task(model: BankShotModel) -> String:
-	if model.bounces == 1:
+	if model.board.bounces == 1:
 		return LabText.translate(
 			"The ball at S is to come to T after exactly one bounce. Where to?"
 		)
 	var sentence := LabText.translate(
 		"The ball at S is to come to T after exactly %d bounces. Where to?"
 	)
-	return sentence % model.bounces
+	return sentence % model.board.bounces
 
 
 static func _on_image(model: BankShotModel) -> String:
-	if model.bounces > 1:
+	if model.board.bounces > 1:
 		return (
 			(
 				LabText
@@ -125,9 +125,9 @@ static func _on_image(model: BankShotModel) -> String:
 					"Mirror T in the last wall first, then go backwards to the first one: %s is the image."
 				)
 			)
-			% image_symbol(model.bounces, model.bounces)
+			% image_symbol(model.board.bounces, model.board.bounces)
 		)
-	if model.bounciness == 1.0:
+	if model.board.bounciness == 1.0:
 		return LabText.translate(
 			"Mirror T in the moved wall: T′ is as far behind it as T is before it."
 		)
@@ -141,11 +141,11 @@ static func _on_image(model: BankShotModel) -> String:
 
 static func _on_bounce(model: BankShotModel) -> String:
 	var answer := model.answer()
-	var image := image_symbol(model.bounces, model.bounces)
+	var image := image_symbol(model.board.bounces, model.board.bounces)
 	if not answer.way.hit:
 		var sentence := LabText.translate("Straight at %s? Not here: %s.")
 		return sentence % [image, reason(answer.way)]
-	if model.bounces == 1:
+	if model.board.bounces == 1:
 		return LabText.translate(
 			"Shoot straight at T′. Where this line crosses the moved wall, the ball bounces to T."
 		)
@@ -185,9 +185,9 @@ static func _on_miss(answer: BankShotAnswer) -> PackedStringArray:
 
 
 static func _on_length(model: BankShotModel) -> String:
-	var image := image_symbol(model.bounces, model.bounces)
+	var image := image_symbol(model.board.bounces, model.board.bounces)
 	var length := NumberText.short(model.answer().way.distance)
-	if model.bounciness == 1.0:
+	if model.board.bounciness == 1.0:
 		return LabText.translate("the way is %s px long, as the line to %s") % [length, image]
 	return LabText.translate("as late as on a straight way of %s px") % length
 

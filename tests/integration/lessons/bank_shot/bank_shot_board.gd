@@ -28,9 +28,22 @@ var walls: Array[PackedFloat64Array] = []
 var size: float
 ## Something of this board hangs on rounding.
 var is_close: bool
-## The best way for each order: found, at, distance, images, sides, order, bounces.
-var ways: Dictionary[String, Dictionary] = {}
-var way: Dictionary
+## The best way for each order.
+var ways: Dictionary[String, Way] = {}
+var way: Way
+
+
+## What becomes of one order of walls.
+class Way:
+	extends RefCounted
+	var found := Found.NONE
+	## The wall at which it fails, by its place.
+	var at := -1
+	var distance := INF
+	var order := ""
+	var sides: PackedFloat64Array = []
+	var images: Array[Point] = []
+	var bounces := 0
 
 
 ## Two numbers in 64 bits.
@@ -57,14 +70,17 @@ class Point:
 
 
 func _init(state: Dictionary) -> void:
-	start = _point(state["start"] as PackedFloat64Array, 0)
-	target = _point(state["target"] as PackedFloat64Array, 0)
+	var of_start: PackedFloat64Array = state["start"]
+	var of_target: PackedFloat64Array = state["target"]
+	var of_walls: Array = state["walls"]
+	start = _point(of_start, 0)
+	target = _point(of_target, 0)
 	radius = state["radius"]
 	bounciness = state["bounciness"]
 	count = state["bounces"]
 	order = state["order"]
 	mistake = state["mistake"]
-	walls.assign(state["walls"] as Array)
+	walls.assign(of_walls)
 	size = radius + absf(start.x) + absf(start.y) + absf(target.x) + absf(target.y)
 	for wall in walls:
 		for number in wall:
@@ -95,82 +111,81 @@ func height(point: Point, wall: int, side: float) -> float:
 
 func _find_ways() -> void:
 	ways.clear()
-	for order in _orders(count):
-		var best := {found = Found.NONE, at = int(order[0]) - 1, distance = INF}
+	for walked in _orders(count):
+		var best := Way.new()
+		best.at = int(walked[0]) - 1
 		for number in 1 << count:
 			var sides: PackedFloat64Array = []
 			for place in count:
-				sides.append(1.0 if number & (1 << place) else -1.0)
-			if _fit(order, sides):
-				var way := _followed(order, sides)
-				if _rank(way) > _rank(best):
-					best = way
-		ways[order] = best
+				sides.append(-1.0 if number & (1 << place) else 1.0)
+			if _fit(walked, sides):
+				var tried := _followed(walked, sides)
+				if _rank(tried) > _rank(best):
+					best = tried
+		ways[walked] = best
 	way = ways.values()[0]
-	for order in ways:
-		var is_better := _rank(ways[order]) > _rank(way)
-		var is_shorter := ways[order]["distance"] < way["distance"]
-		if (
-			order == self.order
-			or not self.order and (is_better or is_hit(ways[order]) and is_shorter)
-		):
-			way = ways[order]
-	if self.order:
-		way = ways[self.order]
+	for walked in ways:
+		var is_better := _rank(ways[walked]) > _rank(way)
+		var is_shorter := ways[walked].distance < way.distance
+		if walked == order or not order and (is_better or is_hit(ways[walked]) and is_shorter):
+			way = ways[walked]
+	if order:
+		way = ways[order]
 
 
 func _orders(length: int) -> PackedStringArray:
 	if length == 0:
 		return [""]
 	var found: PackedStringArray = []
-	for order in _orders(length - 1):
+	for shorter in _orders(length - 1):
 		for wall in walls.size():
-			if not order.ends_with(str(wall + 1)):
-				found.append(order + str(wall + 1))
+			if not shorter.ends_with(str(wall + 1)):
+				found.append(shorter + str(wall + 1))
 	return found
 
 
 # The first wall is met on the side of the start, the last one on that of the target.
-func _fit(order: String, sides: PackedFloat64Array) -> bool:
-	var first := height(start, int(order[0]) - 1, 1.0)
-	var last := height(target, int(order[-1]) - 1, 1.0)
+func _fit(walked: String, sides: PackedFloat64Array) -> bool:
+	var first := height(start, int(walked[0]) - 1, 1.0)
+	var last := height(target, int(walked[-1]) - 1, 1.0)
 	_is_above(first)
 	_is_above(last)
 	return (first >= 0.0) == (sides[0] > 0.0) and (last >= 0.0) == (sides[-1] > 0.0)
 
 
-static func is_hit(way: Dictionary) -> bool:
-	return way["found"] == Found.HIT
+static func is_hit(of: Way) -> bool:
+	return of.found == Found.HIT
 
 
-static func _rank(way: Dictionary) -> int:
-	return 100 if is_hit(way) else way["found"]
+static func _rank(of: Way) -> int:
+	return 100 if is_hit(of) else of.found
 
 
-func _image(point: Point, wall: int, side: float, radius: float, loss: float) -> Point:
-	var height := height(point, wall, side) - radius
-	return point.plus(_normal(wall, side), -(height + height / loss))
+func _image(point: Point, wall: int, side: float, ball_radius: float, loss: float) -> Point:
+	var above := height(point, wall, side) - ball_radius
+	return point.plus(_normal(wall, side), -(above + above / loss))
 
 
-func _followed(order: String, sides: PackedFloat64Array) -> Dictionary:
+func _followed(walked: String, sides: PackedFloat64Array) -> Way:
 	var images: Array[Point] = [target]
 	for place in range(count - 1, -1, -1):
 		images.push_front(
-			_image(images[0], int(order[place]) - 1, sides[place], radius, bounciness)
+			_image(images[0], int(walked[place]) - 1, sides[place], radius, bounciness)
 		)
-	var way := {images = images, sides = sides, order = order, at = -1, bounces = 0}
-	way["distance"] = start.to(images[0]).length()
-	way["found"] = _follow(way, images, sides, order)
-	return way
+	var found := Way.new()
+	found.images = images
+	found.sides = sides
+	found.order = walked
+	found.distance = start.to(images[0]).length()
+	found.found = _follow(found, images, sides, walked)
+	return found
 
 
-func _follow(
-	way: Dictionary, images: Array[Point], sides: PackedFloat64Array, order: String
-) -> Found:
+func _follow(noted: Way, images: Array[Point], sides: PackedFloat64Array, walked: String) -> Found:
 	var from := start
 	for place in count:
-		var wall := int(order[place]) - 1
-		way["at"] = wall
+		var wall := int(walked[place]) - 1
+		noted.at = wall
 		var before := height(from, wall, sides[place]) - radius
 		var behind := height(images[place], wall, sides[place]) - radius
 		if not _is_above(before):
@@ -178,16 +193,16 @@ func _follow(
 		if not _is_above(-behind):
 			return Found.NOT_REACHED
 		var to := from.plus(from.to(images[place]), before / (before - behind))
-		way["bounces"] = place + 1
-		var ends := [_point(walls[wall], 0), _point(walls[wall], 2)]
-		var along: Point = ends[0].to(ends[1])
-		var share: float = ends[0].to(to).dot(along) / along.length()
+		noted.bounces = place + 1
+		var end := _point(walls[wall], 0)
+		var along := end.to(_point(walls[wall], 2))
+		var share := end.to(to).dot(along) / along.length()
 		if not (_is_above(share) and _is_above(along.length() - share)):
 			return Found.BESIDE
-		if _is_blocked(from, to, int(order[place - 1]) - 1 if place else -1, wall):
+		if _is_blocked(from, to, int(walked[place - 1]) - 1 if place else -1, wall):
 			return Found.BLOCKED
 		from = to
-	return Found.BLOCKED if _is_blocked(from, target, way["at"] as int, -1) else Found.HIT
+	return Found.BLOCKED if _is_blocked(from, target, noted.at as int, -1) else Found.HIT
 
 
 func _is_blocked(from: Point, to: Point, last: int, next: int) -> bool:
@@ -228,23 +243,23 @@ func is_overlapped() -> bool:
 
 
 func images() -> Array[Point]:
-	return way["images"]
+	return way.images
 
 
 func wrong_direction() -> Point:
-	var order: String = way["order"]
-	var sides: PackedFloat64Array = way["sides"]
+	var walked := way.order
+	var sides := way.sides
 	if mistake == _MIDPOINT:
-		var wall := int(order[0]) - 1
+		var wall := int(walked[0]) - 1
 		var middle := start.plus(start.to(images()[1]), 0.5)
-		var height := height(middle, wall, sides[0]) - radius
-		return unit(start.to(middle.plus(_normal(wall, sides[0]), -height)))
+		var above := height(middle, wall, sides[0]) - radius
+		return unit(start.to(middle.plus(_normal(wall, sides[0]), -above)))
 	var image := target
 	for number in count:
 		var place := number if mistake == _WRONG_ORDER else count - 1 - number
 		image = _image(
 			image,
-			int(order[place]) - 1,
+			int(walked[place]) - 1,
 			sides[place],
 			0.0 if mistake == _RADIUS_FORGOTTEN else radius,
 			1.0 if mistake == _PLAIN_MIRROR else bounciness
@@ -260,14 +275,15 @@ static func unit(vector: Point) -> Point:
 func flown_miss(direction: Point) -> float:
 	var from := start
 	var velocity := direction
-	var distance: float = way["distance"]
+	var distance: float = way.distance
 	var left := _TIMES_FOLLOWED * distance
 	var least := INF
 	for bounce in _MOST_BOUNCES + 1:
 		var touch := _next_touch(from, velocity)
 		if is_close:
 			return NAN
-		var time: float = minf(touch[0] as float, left)
+		var at_touch: float = touch[0]
+		var time := minf(at_touch, left)
 		var to := from.plus(velocity, time)
 		least = minf(least, _off(target, from, to))
 		left -= time
@@ -281,18 +297,20 @@ func flown_miss(direction: Point) -> float:
 
 # When the ball touches something next while it approaches, and the normal there.
 func _next_touch(from: Point, velocity: Point) -> Array:
-	var found: Array = [INF, null]
+	var first := INF
+	var first_normal: Point = null
 	for wall in walls.size():
 		for side: float in [1.0, -1.0]:
 			var normal := _normal(wall, side)
 			var speed := -velocity.dot(normal)
 			var time := (height(from, wall, side) - radius) / speed if speed > 0.0 else -1.0
-			var start := _point(walls[wall], 0)
-			var along := start.to(_point(walls[wall], 2))
-			var share := start.to(from.plus(velocity, time)).dot(along) / along.dot(along)
+			var end := _point(walls[wall], 0)
+			var along := end.to(_point(walls[wall], 2))
+			var share := end.to(from.plus(velocity, time)).dot(along) / along.dot(along)
 			var is_on := share > 0.0 and share < 1.0
-			if is_on and time > -1e-9 * size and time < (found[0] as float):
-				found = [maxf(time, 0.0), normal]
+			if is_on and time > -1e-9 * size and time < first:
+				first = maxf(time, 0.0)
+				first_normal = normal
 		for at: int in [0, 2]:
 			var to_end := from.to(_point(walls[wall], at))
 			var ahead := to_end.dot(velocity) / velocity.dot(velocity)
@@ -300,7 +318,8 @@ func _next_touch(from: Point, velocity: Point) -> Array:
 			if ahead > 0.0 and _is_above(radius - beside):
 				var back := sqrt(radius ** 2 - beside ** 2) / velocity.length()
 				var time := ahead - back
-				if time > -1e-9 * size and time < (found[0] as float):
+				if time > -1e-9 * size and time < first:
 					var centre := from.plus(velocity, time)
-					found = [maxf(time, 0.0), unit(_point(walls[wall], at).to(centre))]
-	return found
+					first = maxf(time, 0.0)
+					first_normal = unit(_point(walls[wall], at).to(centre))
+	return [first, first_normal]

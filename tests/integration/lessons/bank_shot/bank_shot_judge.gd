@@ -32,12 +32,12 @@ func problem(seen: SeenLesson) -> String:
 
 
 func _has_images() -> bool:
-	return _board.way.has("images")
+	return not _board.way.images.is_empty()
 
 
 # Whether words about this outcome may be said.
 func _can_be(found: _BOARD.Found) -> bool:
-	return _board.is_close or _board.way["found"] == found
+	return _board.is_close or _board.way.found == found
 
 
 func _claims_of_reasons() -> Dictionary[String, bool]:
@@ -45,7 +45,7 @@ func _claims_of_reasons() -> Dictionary[String, bool]:
 		"a wall is in the way": _can_be(_BOARD.Found.BLOCKED), "A wall is in the way": false
 	}
 	for wall in _board.walls.size():
-		var is_there: bool = _board.is_close or _board.way["at"] == wall
+		var is_there: bool = _board.is_close or _board.way.at == wall
 		var number := str(wall + 1)
 		var texts: Dictionary[String, _BOARD.Found] = {
 			"S and T are on different sides of wall ": _BOARD.Found.NONE,
@@ -152,7 +152,7 @@ func _claims_of_card() -> Dictionary[String, bool]:
 func _problem_of_numbers(line: String) -> String:
 	for words: String in ["the way is ", "as late as on a straight way of "]:
 		var shown := SeenLesson.number_behind(words, line)
-		var distance: float = _board.way["distance"]
+		var distance: float = _board.way.distance
 		if not is_nan(shown) and not SeenLesson.is_close(shown, distance, _ROUNDING * _board.size):
 			return "it is %s: “%s”" % [distance, line]
 	var miss := SeenLesson.number_behind("miss ", line)
@@ -190,7 +190,7 @@ func _claims_of_labels(labels: PackedStringArray) -> Dictionary[String, bool]:
 		var is_there := place <= _board.count and _has_images()
 		claims["T" + "₀₁₂₃"[place]] = is_there and not is_one and _step in [_IMAGE, _BOUNCE]
 		var has_bounce := is_there and _step in [_BOUNCE, _FIRE]
-		has_bounce = has_bounce and (_board.is_close or place <= (_board.way["bounces"] as int))
+		has_bounce = has_bounce and (_board.is_close or place <= _board.way.bounces)
 		claims["B" + "₀₁₂₃"[place]] = has_bounce and not is_one
 		if place == 1:
 			claims["B"] = has_bounce and is_one
@@ -204,11 +204,8 @@ func _claims_of_labels(labels: PackedStringArray) -> Dictionary[String, bool]:
 func _problem_of_depths(labels: PackedStringArray) -> String:
 	if not _has_images() or _board.count > 1:
 		return ""
-	var wall := int(str(_board.way["order"])) - 1
-	var height := (
-		_board.height(_board.target, wall, (_board.way["sides"] as PackedFloat64Array)[0])
-		- _board.radius
-	)
+	var wall := int(str(_board.way.order)) - 1
+	var height := _board.height(_board.target, wall, _board.way.sides[0]) - _board.radius
 	return false_number(
 		labels, {"d = ": height, "d / C = ": height / _board.bounciness}, _ROUNDING * _board.size
 	)

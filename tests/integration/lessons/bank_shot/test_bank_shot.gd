@@ -47,38 +47,38 @@ func test_the_image_can_be_dragged_to_change_the_loss() -> void:
 	await go_to_step(BankShotModel.Step.IMAGE)
 	await click_button("C = 0.5")
 	await _drag(Vec2.new(300, 520), Vec2.new(300, 400))
-	assert_eq(_model().bounciness, 1.0)
+	assert_eq(_model().board.bounciness, 1.0)
 	await student.press(&"lab_undo")
-	assert_eq(_model().bounciness, 0.5)
+	assert_eq(_model().board.bounciness, 0.5)
 
 
 func test_the_moved_wall_can_be_dragged_to_change_the_radius() -> void:
 	await go_to_step(BankShotModel.Step.MOVED_WALL)
 	await _drag(Vec2.new(377, 280), Vec2.new(377, 270))
-	assert_eq(_model().radius, 30.0)
+	assert_eq(_model().board.radius, 30.0)
 
 
 func test_start_target_and_walls_can_be_dragged() -> void:
 	await _drag(Vec2.new(100, 100), Vec2.new(80, 120))
-	assert_eq(_model().start.to_vector2(), Vector2(80, 120))
+	assert_eq(_model().board.start.to_vector2(), Vector2(80, 120))
 	await _drag(Vec2.new(300, 160), Vec2.new(340, 160))
-	assert_eq(_model().target.to_vector2(), Vector2(340, 160))
+	assert_eq(_model().board.target.to_vector2(), Vector2(340, 160))
 	await _drag(Vec2.new(440, 300), Vec2.new(440, 280))
-	assert_eq(_model().walls[0].end.to_vector2(), Vector2(440, 280))
+	assert_eq(_model().board.walls[0].end.to_vector2(), Vector2(440, 280))
 	for undo: int in 3:
 		await student.press(&"lab_undo")
-	assert_eq(_model().walls[0].end.to_vector2(), Vector2(440, 300))
-	assert_eq(_model().start.to_vector2(), Vector2(100, 100))
+	assert_eq(_model().board.walls[0].end.to_vector2(), Vector2(440, 300))
+	assert_eq(_model().board.start.to_vector2(), Vector2(100, 100))
 
 
 func test_numbers_can_be_typed_and_what_cannot_be_is_told() -> void:
 	await student.enter(Screen.named(screen(), "radius of the ball") as LineEdit, "10")
-	assert_eq(_model().radius, 10.0)
+	assert_eq(_model().board.radius, 10.0)
 	await student.enter(Screen.named(screen(), "y of the start of wall 1") as LineEdit, "280")
-	assert_eq(_model().walls[0].start.y, 280.0)
+	assert_eq(_model().board.walls[0].start.y, 280.0)
 	await student.enter(Screen.named(screen(), "bounciness C, 0.05 to 1") as LineEdit, "0")
 	assert_reads("C must be within 0.05..1, not 0.")
-	assert_eq(_model().bounciness, 1.0)
+	assert_eq(_model().board.bounciness, 1.0)
 
 
 func test_each_order_of_walls_says_why_it_is_refused() -> void:
@@ -100,9 +100,9 @@ func test_the_number_of_bounces_can_be_chosen() -> void:
 	await go_to_step(BankShotModel.Step.BOUNCE)
 	assert_has(_lines(), "B₂ = (215.1, 224.6)")
 	await _choose("Bounces", 0)
-	assert_eq(_model().bounces, 1)
+	assert_eq(_model().board.bounces, 1)
 	await _choose("Bounces", 1)
-	assert_eq(_model().bounces, 2)
+	assert_eq(_model().board.bounces, 2)
 
 
 func test_the_shot_flies_to_the_target_and_its_miss_is_rounding() -> void:
@@ -164,7 +164,7 @@ func test_a_ball_that_overlaps_a_wall_is_told() -> void:
 func test_a_link_holds_the_board() -> void:
 	assert_eq(frame().link.open(_SLANTED), "")
 	assert_eq(_model().order, "21")
-	assert_eq(_model().bounces, 2)
+	assert_eq(_model().board.bounces, 2)
 	assert_string_contains(frame().link.open("bounces=4"), "bounces must be within 1..3, not 4.")
 	assert_string_contains(
 		frame().link.open("walls=1,1,1,1"), "A wall must be at least 0.01 px long"

@@ -11,7 +11,7 @@ func test_the_right_answer_of_each_kind_hits_on_its_board() -> void:
 		for kind: BankShotExercise.Kind in [0, 1, 2]:
 			var exercise := BankShotExercise.fresh(kind, rng)
 			var model := BankShotModel.new()
-			model.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
+			model.board.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
 			assert_no_refusal(model.take(exercise.board_state()))
 			var way := model.answer().way
 			assert_true(way.hit, exercise.prompt)

@@ -44,7 +44,7 @@ func test_a_mistake_that_changes_nothing_brings_a_board_on_which_it_does() -> vo
 
 static func _model(preset: String) -> BankShotModel:
 	var model := BankShotModel.new()
-	model.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
+	model.board.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
 	Refusal.push(model.take(BankShotModel.PRESETS[preset]))
 	return model
 

@@ -52,14 +52,14 @@ func test_the_answer_is_computed_once() -> void:
 	var model := _model("One bounce")
 	var answer := model.answer()
 	assert_same(model.answer(), answer)
-	model.target = Vec2.new(310, 160)
+	model.board.target = Vec2.new(310, 160)
 	assert_not_same(model.answer(), answer)
 
 
 func test_an_order_that_no_longer_fits_is_given_up() -> void:
 	var model := _model("Right angle")
 	assert_no_refusal(model.take({order = "12"}))
-	assert_no_refusal(model.take_bounces(3))
+	assert_no_refusal(model.take({bounces = 3}))
 	assert_eq(model.order, "")
 
 
@@ -76,28 +76,28 @@ func test_what_cannot_be_is_refused_with_the_value() -> void:
 	}
 	for sentence in refusals:
 		assert_string_contains(model.take(refusals[sentence]), sentence)
-	assert_eq(model.radius, 20.0)
+	assert_eq(model.board.radius, 20.0)
 
 
 func test_the_image_on_the_wall_keeps_the_loss() -> void:
 	var model := _model("One bounce")
 	assert_no_refusal(model.fit_bounciness(Vec2.new(300, 290)))
-	assert_eq(model.bounciness, 1.0)
+	assert_eq(model.board.bounciness, 1.0)
 	assert_no_refusal(model.fit_bounciness(Vec2.new(300, 20000)))
-	assert_eq(model.bounciness, BankShotModel.LEAST_BOUNCINESS)
+	assert_eq(model.board.bounciness, BankShotModel.LEAST_BOUNCINESS)
 
 
 func test_the_error_of_the_direction_is_rounding() -> void:
 	var model := _model("Slanted pair")
 	var way := model.answer().way
-	assert_lt(model.error_of(way), 1e-15)
+	assert_lt(model.board.error_of(way), 1e-15)
 	way.direction.rotate_radians(1e-9)
-	assert_almost_eq(model.error_of(way), 1e-9, 1e-15)
+	assert_almost_eq(model.board.error_of(way), 1e-9, 1e-15)
 
 
 static func _model(preset: String) -> BankShotModel:
 	var model := BankShotModel.new()
-	model.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
+	model.board.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
 	Refusal.push(model.take(BankShotModel.PRESETS[preset]))
 	return model
 
@@ -106,7 +106,7 @@ static func _model(preset: String) -> BankShotModel:
 static func _random_board(rng: RandomNumberGenerator) -> BankShotModel:
 	var presets := PackedStringArray(BankShotModel.PRESETS.keys())
 	var model := _model(presets[rng.randi() % presets.size()])
-	for point: Vec2 in model.points():
+	for point: Vec2 in model.board.points():
 		point.add(Vec2.random_unit(rng).scaled(rng.randf_range(0, 12)))
 	var state := model.to_dictionary()
 	state["bounciness"] = rng.randf_range(0.6, 1.0)
