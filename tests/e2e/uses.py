@@ -47,4 +47,6 @@ USES = {
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
+    # The ball at S.
+    "bank_shot": Use((237, 194), r"S = \( 100 , 100 \)", r"S = \( 100 , 80 \)", (237, 167)),
 }

@@ -72,7 +72,12 @@ func _press_all() -> void:
 				await process_frame
 
 
+# A picture stays in its lesson: the step behind the last one would lead on.
 func _press(action: StringName) -> void:
+	var frame := current_scene as LessonFrame
+	var is_at_end := frame and frame.lesson.step == frame.lesson.step_count - 1
+	if action == &"lab_next_step" and is_at_end:
+		return
 	var key := InputMap.action_get_events(action)[0].duplicate() as InputEventKey
 	for is_down: bool in [true, false]:
 		key.pressed = is_down
