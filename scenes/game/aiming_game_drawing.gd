@@ -9,8 +9,9 @@ const SIGHT := 78.0
 # Without a helper the barrel points so far.
 const _SIGHT_LINE := 70.0
 
-# The plan whose way is drawn.
+# The plan and the miss whose ways are drawn.
 var _drawn_plan: GameAim
+var _drawn_miss: GameShot
 
 @onready var _field: GameField = %Field
 @onready var _target: TargetMark = %Target
@@ -19,6 +20,7 @@ var _drawn_plan: GameAim
 @onready var _plan: FlightPath = %Plan
 @onready var _meeting: TargetMark = %Meeting
 @onready var _trail: FlightPath = %Trail
+@onready var _missed: FlightPath = %Missed
 @onready var _bullet: BallView = %Bullet
 @onready var _rings: HitRings = %Rings
 @onready var _sight: Handle = %Sight
@@ -66,6 +68,11 @@ func _lay_plan(model: AimingGameModel) -> void:
 func _lay_bullet(model: AimingGameModel) -> void:
 	_bullet.visible = model.shot != null
 	_trail.visible = model.shot != null or model.is_won()
+	# The way of a miss stays, to learn from.
+	_missed.visible = model.missed != null
+	if model.missed and model.missed != _drawn_miss:
+		_missed.show_path(model.missed.way_until(model.missed.gone_after))
+	_drawn_miss = model.missed
 	if model.shot:
 		var flown := maxf(model.time - model.shot.fired_at, 0.0)
 		_bullet.lay(model.shot.place_after(flown), GameLevel.BULLET)

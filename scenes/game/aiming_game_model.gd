@@ -5,6 +5,8 @@ extends LessonModel
 ## Level, helpers and the barrel's angle are kept for undo and links. Time, the bullet and the score
 ## belong to the moment.
 
+## The angle of the barrel at the start: it hits nothing.
+const START_DEGREES := -80.0
 # The barrel turns half of what is left in so many seconds.
 const _HALF_LIFE := 0.05
 # The plan is made anew after so many seconds: target and helpers hardly differ before.
@@ -13,7 +15,7 @@ const _PLAN_SECONDS := 0.1
 ## The level, from 1.
 var level_number := 1
 ## The angle of the barrel as it was turned by hand, in degrees, clockwise on screen.
-var hand_degrees := -30.0
+var hand_degrees := START_DEGREES
 ## Whether the barrel turns by itself to where the helpers aim.
 var aims := false
 ## Whether the helpers look ahead of a target that moves.
@@ -31,13 +33,13 @@ var shot: GameShot
 var shots_in: Dictionary[int, int] = {}
 ## The levels that have been hit, by their numbers.
 var levels_hit: Dictionary[int, bool] = {}
-## By how much the last bullet missed: how far the discs were apart, in pixels; NAN for none.
-var last_miss := NAN
+## The last bullet, if it has missed; else null.
+var missed: GameShot
 ## When the target of this level was hit, in seconds since the level began; INF while it was not.
 var hit_at := INF
 
 var _levels := GameLevel.all()
-var _barrel := deg_to_rad(-30.0)
+var _barrel := deg_to_rad(START_DEGREES)
 var _plan: GameAim
 var _planned_at := -INF
 
@@ -67,15 +69,23 @@ func target_place() -> Vec2:
 	return level().target.place_at(minf(time, hit_at))
 
 
+## How long ago the last bullet missed, in seconds.
+func seconds_since_miss() -> float:
+	return time - missed.fired_at - missed.gone_after if missed else INF
+
+
 ## The direction of the barrel, length 1.
 func barrel() -> Vec2:
 	return Vec2.unit_radians(_barrel)
 
 
-## Where the helpers aim now; null where none is switched on. Made anew some ten times a second.
+## Where the helpers aim now; null where none is switched on. Made anew some ten times a second;
+## while a bullet flies, it stays as it was.
 func plan() -> GameAim:
 	if not has_helper():
 		return null
+	if shot and _plan:
+		return _plan
 	if _plan == null or time - _planned_at > _PLAN_SECONDS or time < _planned_at:
 		_plan = _plan_now()
 		_planned_at = time
@@ -84,7 +94,7 @@ func plan() -> GameAim:
 
 ## Turns the barrel by hand to [param point]. From then on it does not turn by itself.
 func aim_at(point: Vec2) -> void:
-	if point.distance_to(level().gun) > 0.0:
+	if point.distance_to(level().gun) > 0.0 and not is_won():
 		hand_degrees = rad_to_deg(Turn.toward(level().gun, point))
 		_barrel = deg_to_rad(hand_degrees)
 		aims = false
@@ -94,13 +104,12 @@ func aim_at(point: Vec2) -> void:
 func fire() -> bool:
 	if shot or is_won():
 		return false
-	if aims:
-		var now := _plan_now()
-		if now.hit:
-			_barrel = now.direction.angle_radians()
+	_forget_plan()
+	if aims and plan().hit:
+		_barrel = plan().direction.angle_radians()
 	shot = GameShot.new(level(), barrel(), time)
 	shots_in[level_number] = shots_in.get(level_number, 0) + 1
-	last_miss = NAN
+	missed = null
 	return true
 
 
@@ -115,13 +124,26 @@ func advance(seconds: float) -> void:
 			hit_at = shot.fired_at + shot.hit_after
 			levels_hit[level_number] = true
 		else:
-			last_miss = shot.nearest - GameLevel.reach()
+			missed = shot
 		shot = null
 
 
-## Goes to the next level, after the last one to the first.
+## Whether all levels have been hit.
+func is_complete() -> bool:
+	return levels_hit.size() == level_count()
+
+
+## Goes to the next level that has not been hit, after the last one from the first. When all have
+## been hit, the game begins anew.
 func go_on() -> void:
-	level_number = level_number % level_count() + 1
+	if is_complete():
+		levels_hit.clear()
+		shots_in.clear()
+		level_number = 0
+	for step in level_count():
+		level_number = level_number % level_count() + 1
+		if not levels_hit.has(level_number):
+			break
 	begin_level()
 
 
@@ -130,7 +152,7 @@ func begin_level() -> void:
 	time = 0.0
 	shot = null
 	hit_at = INF
-	last_miss = NAN
+	missed = null
 	_forget_plan()
 	_barrel = deg_to_rad(hand_degrees)
 

@@ -4,6 +4,8 @@ extends RefCounted
 
 # A miss is told with so many digits.
 const _MISS_DIGITS := 2
+# For so many seconds; then the helpers have the word.
+const _MISS_SECONDS := 2.5
 
 
 ## The level and the score, translated.
@@ -17,27 +19,28 @@ static func score(model: AimingGameModel) -> String:
 static func news(model: AimingGameModel) -> String:
 	if model.is_won():
 		return _on_hit(model)
-	if not is_nan(model.last_miss):
-		var miss := NumberText.short(maxf(model.last_miss, 0.01), _MISS_DIGITS)
-		return LabText.translate("Missed by %s px.") % miss
 	var plan := model.plan()
-	if plan and not plan.hit:
-		return _on_refusal(plan)
-	return ""
+	if model.missed and (not plan or model.seconds_since_miss() < _MISS_SECONDS):
+		var apart := model.missed.nearest - GameLevel.reach()
+		var miss := NumberText.short(maxf(apart, 0.01), _MISS_DIGITS)
+		return LabText.translate("Missed by %s px.") % miss
+	if not plan or model.shot:
+		return ""
+	return _on_flaw(plan) if plan.hit else _on_refusal(plan)
 
 
 ## What the large button says, translated.
 static func button(model: AimingGameModel) -> String:
 	if not model.is_won():
 		return LabText.translate("Fire")
-	if model.level_number < model.level_count():
-		return LabText.translate("Next level")
-	return LabText.translate("Play again")
+	return (
+		LabText.translate("Play again") if model.is_complete() else LabText.translate("Next level")
+	)
 
 
 static func _on_hit(model: AimingGameModel) -> String:
-	if model.levels_hit.size() == model.level_count():
-		var sentence := LabText.translate("All %d levels hit with %d shots!")
+	if model.is_complete():
+		var sentence := LabText.translate("All %d levels hit with %d shots! Now without Aim?")
 		return sentence % [model.level_count(), model.all_shots()]
 	if model.shots_in.get(model.level_number, 0) == 1:
 		return LabText.translate("Hit with the first shot!")
@@ -51,3 +54,16 @@ static func _on_refusal(plan: GameAim) -> String:
 		GameAim.Outcome.NO_WAY:
 			return LabText.translate("The helper finds no way with one or two bounces.")
 	return LabText.translate("The helper finds no arc: out of reach.")
+
+
+static func _on_flaw(plan: GameAim) -> String:
+	match plan.flaw:
+		GameAim.Flaw.FALLS:
+			return LabText.translate("The bullet falls on its way.")
+		GameAim.Flaw.MOVES_ON:
+			return LabText.translate("The target moves on while the bullet flies.")
+		GameAim.Flaw.TURNS:
+			return LabText.translate("Wait: the target turns round before.")
+		GameAim.Flaw.BLOCKED:
+			return LabText.translate("A wall is in the way.")
+	return ""

@@ -6,6 +6,10 @@ extends RefCounted
 ## Why there is no shot: the target gets away; no arc reaches it; no way over the walls.
 enum Outcome { HIT, OUTRUN, OUT_OF_REACH, NO_WAY }
 
+## What a helper that is switched off would have seen: the bullet falls; the target is elsewhere by
+## then, or has turned round; a wall is in the way.
+enum Flaw { NONE, FALLS, MOVES_ON, TURNS, BLOCKED }
+
 # The way over walls depends on where the target is then, and the other way round: so often the one
 # is found from the other.
 const _ROUNDS := 12
@@ -23,10 +27,21 @@ var time := 0.0
 var meeting: Vec2
 ## Why there is a shot, or why there is none.
 var outcome := Outcome.HIT
+## Why the shot will miss all the same.
+var flaw := Flaw.NONE
 
 
 ## For a shot at [param now], in seconds since the level began, with these helpers switched on.
 static func of(level: GameLevel, now: float, leads: bool, falls: bool, bounces: bool) -> GameAim:
+	var aim := _found(level, now, leads, falls, bounces)
+	if aim.hit:
+		aim.flaw = aim._flaw_in(level, now, leads, falls and not bounces)
+	return aim
+
+
+static func _found(
+	level: GameLevel, now: float, leads: bool, falls: bool, bounces: bool
+) -> GameAim:
 	if bounces:
 		return _over_walls(level, now, leads)
 	var velocity := level.target.velocity_at(now) if leads else Vec2.zero()
@@ -81,3 +96,12 @@ static func _none(why: Outcome) -> GameAim:
 	var found := GameAim.new()
 	found.outcome = why
 	return found
+
+
+func _flaw_in(level: GameLevel, now: float, leads: bool, falls: bool) -> Flaw:
+	if level.gravity.length() > 0.0 and not falls:
+		return Flaw.FALLS
+	if meeting.distance_to(level.target.place_at(now + time)) > GameLevel.reach():
+		return Flaw.TURNS if leads else Flaw.MOVES_ON
+	var place := GameShot.fired(level, direction).place_after(time)
+	return Flaw.NONE if place.distance_to(meeting) < GameLevel.reach() else Flaw.BLOCKED

@@ -82,7 +82,7 @@ func _follow(level: GameLevel) -> void:
 	var time := 0.0
 	while time < _LONGEST:
 		var place := place_after(time)
-		if _is_outside(place):
+		if _is_outside(place, level.gravity.length() > 0.0):
 			gone_after = time
 			break
 		var gap := place.distance_to(level.target.place_at(fired_at + time)) - GameLevel.reach()
@@ -96,9 +96,9 @@ func _follow(level: GameLevel) -> void:
 	nearest = _flight.distance_after(moment, target_after)
 
 
-static func _is_outside(place: Vec2) -> bool:
+# One that flies high comes down again where it falls.
+static func _is_outside(place: Vec2, falls: bool) -> bool:
 	var width := GameLevel.FIELD_SIZE[0]
 	var height := GameLevel.FIELD_SIZE[1]
 	var is_beside := place.x < -_OUTSIDE or place.x > width + _OUTSIDE
-	# A bullet that flies high comes down again.
-	return is_beside or place.y > height + _OUTSIDE or place.y < -10.0 * _OUTSIDE
+	return is_beside or place.y > height + _OUTSIDE or place.y < -_OUTSIDE and not falls

@@ -49,4 +49,6 @@ USES = {
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
     # The ball at S.
     "bank_shot": Use((237, 194), r"S = \( 100 , 100 \)", r"S = \( 100 , 80 \)", (237, 167)),
+    # The button that fires, below the board.
+    "aiming_game": Use((754, 621), r"shots: 0", r"shots: 1"),
 }

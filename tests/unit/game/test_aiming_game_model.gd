@@ -41,7 +41,7 @@ func test_a_miss_is_counted_and_told() -> void:
 	assert_true(_model.fire())
 	_let_pass(3.0)
 	assert_false(_model.is_won())
-	assert_almost_eq(_model.last_miss, 150.0 - GameLevel.reach(), 0.5)
+	assert_almost_eq(_model.missed.nearest, 150.0, 0.01)
 	assert_eq(_model.shots_in[1], 1)
 
 
@@ -60,6 +60,45 @@ func test_after_the_last_level_comes_the_first() -> void:
 		assert_eq(_model.level_number, number + 1)
 		_model.go_on()
 	assert_eq(_model.level_number, 1)
+
+
+func test_levels_that_were_hit_are_passed_over_until_all_are() -> void:
+	for number: int in [2, 3]:
+		_model.levels_hit[number] = true
+	_model.go_on()
+	assert_eq(_model.level_number, 4)
+	for number: int in _model.level_count():
+		_model.levels_hit[number + 1] = true
+	_model.shots_in[4] = 3
+	assert_true(_model.is_complete())
+	_model.go_on()
+	assert_eq(_model.level_number, 1)
+	assert_eq(_model.all_shots(), 0, "the score begins anew")
+
+
+func test_the_barrel_of_the_start_hits_nothing() -> void:
+	for number: int in _model.level_count():
+		assert_no_refusal(_model.take({level = number + 1}))
+		assert_true(_model.fire())
+		assert_eq(_model.shot.hit_after, INF, "level %d" % (number + 1))
+
+
+func test_the_plan_stays_while_a_bullet_flies() -> void:
+	assert_no_refusal(_model.take({level = 7, aims = true, leads = true, bounces = true}))
+	_let_pass(0.5)
+	assert_true(_model.fire())
+	var plan := _model.plan()
+	_let_pass(0.3)
+	assert_same(_model.plan(), plan)
+
+
+func test_after_a_hit_the_barrel_stays() -> void:
+	_model.aim_at(_model.target_place())
+	assert_true(_model.fire())
+	_let_pass(3.0)
+	var angle := _model.hand_degrees
+	_model.aim_at(Vec2.new(50, 0))
+	assert_eq(_model.hand_degrees, angle)
 
 
 func test_a_link_names_level_angle_and_helpers() -> void:

@@ -48,6 +48,38 @@ func test_a_helper_that_finds_nothing_says_why() -> void:
 	assert_eq(GameAim.of(level, 0.0, false, true, false).outcome, GameAim.Outcome.OUT_OF_REACH)
 
 
+func test_a_shot_that_will_miss_has_its_flaw() -> void:
+	var wanted: Array[Array] = [
+		[1, [false, false, false], GameAim.Flaw.NONE],
+		[2, [false, false, false], GameAim.Flaw.MOVES_ON],
+		[2, [true, false, false], GameAim.Flaw.NONE],
+		[3, [false, false, false], GameAim.Flaw.FALLS],
+		[3, [false, true, false], GameAim.Flaw.NONE],
+		[4, [false, false, false], GameAim.Flaw.BLOCKED],
+		[4, [false, false, true], GameAim.Flaw.NONE],
+		[6, [true, false, false], GameAim.Flaw.FALLS],
+		[7, [false, false, true], GameAim.Flaw.MOVES_ON],
+		[7, [true, false, true], GameAim.Flaw.NONE],
+	]
+	for row: Array in wanted:
+		var number: int = row[0]
+		var helpers: Array = row[1]
+		var flaw: GameAim.Flaw = row[2]
+		assert_eq(_aim(number - 1, 0.5, helpers).flaw, flaw, str(row))
+	# It goes up and turns at 4.17 s.
+	assert_eq(_aim(1, 3.8, [true, false, false]).flaw, GameAim.Flaw.TURNS)
+
+
+func test_a_shot_without_a_flaw_hits() -> void:
+	for number: int in GameLevel.all().size():
+		for moment: int in _MOMENTS:
+			var now := _BETWEEN * moment
+			var aim := _aim(number, now, _RIGHT[number + 1])
+			if aim.hit and aim.flaw == GameAim.Flaw.NONE:
+				var shot := GameShot.new(GameLevel.all()[number], aim.direction, now)
+				assert_lt(shot.hit_after, INF, "level %d at %s s" % [number + 1, now])
+
+
 func test_a_bullet_hits_when_the_discs_touch_and_not_before() -> void:
 	var level := GameLevel.all()[0]
 	var way := level.target.from.minus(level.gun)
@@ -78,10 +110,14 @@ func _share_of_hits(number: int, helpers: Array) -> float:
 	var hits := 0
 	for moment: int in _MOMENTS:
 		var now := _BETWEEN * moment
-		var leads: bool = helpers[0]
-		var falls: bool = helpers[1]
-		var bounces: bool = helpers[2]
-		var aim := GameAim.of(level, now, leads, falls, bounces)
+		var aim := _aim(number, now, helpers)
 		if aim.hit and GameShot.new(level, aim.direction, now).hit_after < INF:
 			hits += 1
 	return float(hits) / _MOMENTS
+
+
+func _aim(number: int, now: float, helpers: Array) -> GameAim:
+	var leads: bool = helpers[0]
+	var falls: bool = helpers[1]
+	var bounces: bool = helpers[2]
+	return GameAim.of(GameLevel.all()[number], now, leads, falls, bounces)
