@@ -80,7 +80,7 @@ static func _lecture() -> Array[Part]:
 		Part.new(
 			LabText.translate("Smart aiming"),
 			LabText.translate("Where to shoot, and when, so that the shot hits."),
-			["aim_at", "lead_target", "ballistic_aim", "bank_shot", "timed_shot"]
+			["aim_at", "lead_target", "ballistic_aim", "bank_shot", "timed_shot", "aiming_game"]
 		),
 		Part.new(
 			LabText.translate("Appendix"),

@@ -26,6 +26,9 @@ const FOLDERS: PackedStringArray = [
 
 ## What a lesson is, `%` its folder.
 const LESSON_FILE := "res://scenes/lessons/%s/lesson.tres"
+## What the game is, which is opened as a lesson is; `%` its folder.
+const GAME_FILE := "res://scenes/%s/lesson.tres"
+const _GAME_FOLDER := "game"
 
 
 ## All lessons in order, in a demo its only one; loads their cards' texts, not their scenes.
@@ -34,6 +37,20 @@ static func lessons() -> Array[LessonInfo]:
 	for folder in FOLDERS:
 		if ResourceLoader.exists(LESSON_FILE % folder):
 			found.append(load(LESSON_FILE % folder) as LessonInfo)
+	return found
+
+
+## The game; null in a demo of a lesson.
+static func game() -> LessonInfo:
+	var file := GAME_FILE % _GAME_FOLDER
+	return load(file) as LessonInfo if ResourceLoader.exists(file) else null
+
+
+## All that can be opened: the lessons in order, and behind them the game.
+static func all() -> Array[LessonInfo]:
+	var found := lessons()
+	if game():
+		found.append(game())
 	return found
 
 
@@ -48,7 +65,7 @@ static func ids() -> PackedStringArray:
 ## The lesson with this id; null where there is none. A folder that has the id as its name is found
 ## without being in the list: a lesson that is just being written.
 static func find(id: StringName) -> LessonInfo:
-	for lesson in lessons():
+	for lesson in all():
 		if lesson.id == id:
 			return lesson
 	if id.is_valid_ascii_identifier() and ResourceLoader.exists(LESSON_FILE % id):

@@ -9,7 +9,7 @@ var lesson: LessonInfo
 ## Shows what the index knows of [param its_lesson].
 func show_lesson(its_lesson: LessonInfo) -> void:
 	lesson = its_lesson
-	_title.text = "%d  %s" % [LessonIndex.number_of(lesson), tr(lesson.title)]
+	_title.text = LessonIndex.heading_of(lesson)
 	_summary.text = Conventions.in_unit(tr(lesson.summary))
 	# A new lesson has none yet: ./lab pictures draws it.
 	if ResourceLoader.exists(lesson.card_path()):

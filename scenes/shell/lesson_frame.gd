@@ -80,7 +80,7 @@ class ErrorCatcher:
 
 func _ready() -> void:
 	if not lesson_info:
-		lesson_info = LessonIndex.lessons()[0]
+		lesson_info = LessonIndex.all()[0]
 	var options := ViewOptions.begin(self)
 	options.language_changed.connect(open_again)
 	LinkView.choose_language(LessonRequest.state_for(lesson_info.id))

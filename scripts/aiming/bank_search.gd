@@ -89,6 +89,7 @@ func _side_of(wall: int, point: Vec2) -> float:
 func _unfolded(order: PackedInt32Array, sides: PackedFloat64Array) -> BankWay:
 	var way := BankWay.new()
 	way.walls = order
+	way.sides = sides
 	way.images = [_target.copy()]
 	for place in range(order.size() - 1, -1, -1):
 		way.images.push_front(_image(way.images[0], order[place], sides[place]))

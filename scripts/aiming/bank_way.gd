@@ -17,6 +17,9 @@ var direction: Vec2
 var distance := INF
 ## The indices of the walls in the order of the bounces.
 var walls: PackedInt32Array = []
+## For each of these walls the side on which the ball bounces: 1 where the wall's normal points,
+## else -1.
+var sides: PackedFloat64Array = []
 ## For each bounce the centre of the ball, in pixels.
 var bounces: Array[Vec2] = []
 ## The images of the target: at which the ball flies at the start and after each bounce; the last

@@ -40,6 +40,19 @@ func place_after(seconds: float) -> Vec2:
 	return _world.position(0)
 
 
+## Where the bullet is at the start, at each bounce until so many [param seconds] after the shot,
+## and then. Without gravity it flies straight from one to the next.
+func corners(seconds: float) -> Array[Vec2]:
+	_load()
+	_world.keeps_events = true
+	var found: Array[Vec2] = [_bullet.position.copy()]
+	var end := place_after(seconds)
+	for event in _world.events:
+		found.append(event.point.plus(event.normal.scaled(_bullet.radius)))
+	found.append(end)
+	return found
+
+
 ## The moment until [param longest] seconds at which the bullet is nearest to a target that is at
 ## [code]place.call(seconds)[/code]. The earliest of equal ones.
 func nearest_moment(place: Callable, longest: float) -> float:

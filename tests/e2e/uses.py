@@ -49,10 +49,14 @@ USES = {
     "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
     # The target, nearer to the shooter.
     "ballistic_aim": Use((743, 358), r"P = \(200, 0\)", r"P = \(160, 0\)", (678, 358)),
+    # The ball at S.
+    "bank_shot": Use((237, 194), r"S = \( 100 , 100 \)", r"S = \( 100 , 80 \)", (237, 167)),
     # Where the target starts.
     "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
+    # The button that fires, below the board.
+    "aiming_game": Use((754, 621), r"shots: 0", r"shots: 1"),
 }

@@ -33,6 +33,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"ballistic_aim":
 	["target=80,-60&speed=200&gravity=250", "moves=true&velocity=30,-40&arc=1", "gravity=0"],
 	"timed_shot": ["muzzle=300,400&target=0,200", "kind=1&circling=-45&fire=2.5", "kind=2"],
+	"bank_shot":
+	["bounciness=0.5&radius=10", "walls=0,280,320,240;350,250,310,20&bounces=2&order=12"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -124,6 +126,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"speed=0": "s must be within 0.001..1000000, not 0.",
 		"target=2e6,0": "target must be within −1000000..1000000, not 2000000.",
 		"radius=-1": "R must be within 0..1000000, not −1.",
+	},
+	"bank_shot":
+	{
+		"radius=0": "r must be within 0.01..10000, not 0.",
+		"bounces=4": "bounces must be within 1..3, not 4.",
+		"order=3": "order must be one of 1, 2, not “3”.",
+		"walls=1,1,1,1": "A wall must be at least 0.01 px long",
 	},
 }
 

@@ -22,8 +22,7 @@ func test_a_card_for_every_lesson_shows_number_title_line_and_picture() -> void:
 	var lessons := _lessons_in_order()
 	assert_eq(cards.size(), lessons.size())
 	for i: int in lessons.size():
-		var number := LessonIndex.number_of(lessons[i])
-		assert_true(Screen.reads(cards[i], "%d  %s" % [number, lessons[i].title]), lessons[i].id)
+		assert_true(Screen.reads(cards[i], LessonIndex.heading_of(lessons[i])), lessons[i].id)
 		assert_true(Screen.reads(cards[i], lessons[i].summary), lessons[i].id)
 		assert_not_null((cards[i].get_node("%Picture") as TextureRect).texture, lessons[i].id)
 
@@ -83,7 +82,7 @@ func test_escape_and_the_gamepads_b_lead_back_from_a_lesson() -> void:
 		_assert_first_lesson_is_open()
 		await leave.call()
 		assert_null(frame())
-		assert_eq(_cards().size(), LessonIndex.lessons().size())
+		assert_eq(_cards().size(), LessonIndex.all().size())
 		screen().free()
 
 
@@ -261,8 +260,8 @@ func test_the_first_card_that_has_not_been_seen_says_start_here() -> void:
 	await open_start_screen()
 	_assert_starts_at(2)
 	screen().free()
-	for id: String in LessonIndex.ids():
-		LessonsDone.note(LessonsDone.SEEN, id)
+	for lesson: LessonInfo in LessonIndex.all():
+		LessonsDone.note(LessonsDone.SEEN, lesson.id)
 	await open_start_screen()
 	_assert_starts_at(-1)
 

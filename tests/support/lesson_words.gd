@@ -152,6 +152,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"So there is no order p.",
 		],
 	},
+	&"bank_shot": {words = ["wall 1:", "wall 2:", "wall 3:", "wall 4:", "to", "mistake:"]},
 }
 
 

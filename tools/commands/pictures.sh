@@ -36,7 +36,9 @@ for lesson in "$@"; do
 done
 # shellcheck disable=SC2086 # one word for each id
 [ $# -gt 0 ] || set -- $ids
-# Past every question, to the last step: a picture shows all that there is to see.
-"$LAB_ROOT/tools/draw/draw.sh" "$godot" --press=lab_next_step*20 "$@"
-"$LAB_ROOT/tools/draw/draw.sh" "$godot" --card --size=480x364 --press=lab_next_step*20 "$@"
+# Past every question, to the last step: a picture shows all that there is to see. Of the game it is a level with helpers.
+level="aiming_game?level=7&aims=true&leads=true&bounces=true"
+names=("${@/%aiming_game/"$level"}")
+"$LAB_ROOT/tools/draw/draw.sh" "$godot" --press=lab_next_step*20 "${names[@]}"
+"$LAB_ROOT/tools/draw/draw.sh" "$godot" --card --size=480x364 --press=lab_next_step*20 "${names[@]}"
 run_script draw/keep_pictures.gd "$@"

@@ -72,6 +72,7 @@ func _press_all() -> void:
 				await process_frame
 
 
+# A picture stays in its lesson: the step behind the last one would lead on.
 func _press(action: StringName) -> void:
 	if action == &"lab_next_step" and _is_at_last_step():
 		return

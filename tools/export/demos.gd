@@ -1,5 +1,5 @@
 extends RefCounted
-## What can be exported: the whole lab, and each lesson as a demo of its own.
+## What can be exported: the whole lab, and each lesson and the game as a demo of its own.
 
 const NeededFiles := preload("needed_files.gd")
 
@@ -7,9 +7,12 @@ const NeededFiles := preload("needed_files.gd")
 const LAB := "lab"
 
 
-## The names of all demos: the lab, then the lessons in their order.
+## The names of all demos: the lab, then the lessons in their order, then the game.
 static func names() -> PackedStringArray:
-	return PackedStringArray([LAB]) + LessonIndex.ids()
+	var found: PackedStringArray = [LAB]
+	for lesson in LessonIndex.all():
+		found.append(lesson.id)
+	return found
 
 
 ## What the demo with this name holds.
@@ -32,7 +35,7 @@ static func _starts(demo: String) -> PackedStringArray:
 	if demo != LAB:
 		starts.append(LessonIndex.find(demo).resource_path)
 		return starts
-	for lesson: LessonInfo in LessonIndex.lessons():
+	for lesson: LessonInfo in LessonIndex.all():
 		starts.append(lesson.resource_path)
 		starts.append(lesson.card_path())
 	return starts

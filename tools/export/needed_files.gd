@@ -8,7 +8,9 @@ extends RefCounted
 const WrittenCode := preload("written_code.gd")
 
 ## Paths with a place for a name, which the [LessonInfo] fills: only those can be followed.
-const _FILLED_BY_LESSONS: PackedStringArray = [LessonIndex.LESSON_FILE, LessonFrame.SERVICE_SCENE]
+const _FILLED_BY_LESSONS: PackedStringArray = [
+	LessonIndex.LESSON_FILE, LessonIndex.GAME_FILE, LessonFrame.SERVICE_SCENE
+]
 
 ## What is needed, the files at the start included; sorted.
 var files: PackedStringArray

@@ -1,9 +1,9 @@
 extends SceneTree
-## Prints the id of every lesson, in order, a line each after `lesson `.
+## Prints the id of every lesson, in order, and that of the game, a line each after `lesson `.
 ## Usage: godot --headless --path . -s tools/shared/lesson_ids.gd
 
 
 func _init() -> void:
-	for id: String in LessonIndex.ids():
-		print("lesson " + id)
+	for lesson in LessonIndex.all():
+		print("lesson " + lesson.id)
 	quit()

@@ -65,7 +65,7 @@ func _engine_bytes() -> int:
 
 func _copy_pictures() -> void:
 	_check(DirAccess.make_dir_recursive_absolute(_site.path_join("cards")), "cards")
-	for lesson in LessonIndex.lessons():
+	for lesson in LessonIndex.all():
 		_copy(lesson.card_path(), "cards/%s.png" % lesson.id)
 	_copy(_ICON, "icon.svg")
 	_copy(_MANIFEST, "manifest.webmanifest")

@@ -1,59 +1,155 @@
 extends Lesson
-## Bank shot: a vector that can be dragged or typed, and its length.
-##
-## Undo, reset and links need no line here, because the model can be stored.
+## The lesson on bank shots: aim at the mirror image of the target in the wall that is moved by the
+## radius. Start, target, radius and walls at the start are in the scene.
 
-var _model := LengthModel.new()
+## In the opening the target swings so far to both sides, in pixels, and so often in 20 seconds.
+const _SWING := 40.0
+const _SWINGS := 4.0
 
-# Where v lies at the start is in the scene: select V in the editor and change its head.
-@onready var _v: DraggableVector = %V
-@onready var _formula: Formula = services.get(&"formula")
-@onready var _readout: Readout = services.get(&"readout")
+## How many bounces there have to be at the start.
+@export_range(1, 3) var bounces := 1
+## The bounciness C at the start.
+@export_range(0.05, 1.0, 0.01) var bounciness := 1.0
 
+var _model := BankShotModel.new()
+var _formula: BankShotFormula
+# Seconds since the shot.
+var _seconds := 0.0
+var _readout: BankShotReadout
+var _choices: BankShotChoices
 
-## What is kept, and what is computed from it.
-class LengthModel:
-	extends LessonModel
-	var v := Vec2.new()
-
-	func to_dictionary() -> Dictionary:
-		return {"v": PackedFloat64Array([v.x, v.y])}
-
-	func from_dictionary(stored: Dictionary) -> void:
-		var numbers: PackedFloat64Array = stored["v"]
-		v.set_xy(numbers[0], numbers[1])
+@onready var _transport: Transport = services.get(&"transport")
+@onready var _drawing: BankShotDrawing = %Drawing
+@onready var _walls: Array[DraggableVector] = [%Wall1, %Wall2, %Wall3, %Wall4]
+@onready var _ball: BallView = %Ball
+@onready var _target: TargetMark = %Target
 
 
 func start() -> void:
-	_drag(_v.tail_point(), _v.head_point())
-	on_drag(_v.moved, _v.released, _drag)
-	on_enter(_enter)
-	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
+	_read_scene()
+	_let_drag()
+	_fill_panel()
+	_transport.advanced.connect(_fly)
+	about_to_show.connect(_measure)
+	begin(_model, _show, func() -> Array[Vec2]: return _model.points_to_show(_step()))
+	open_with(_swing.bind(_model.board.target.copy()))
+
+
+func _read_scene() -> void:
+	_model.board.start = _ball.at()
+	_model.board.radius = _ball.radius
+	_model.board.target = _target.at()
+	_model.board.bounces = bounces
+	_model.board.bounciness = bounciness
+	for wall in _walls:
+		if wall.visible:
+			_model.board.walls.append(LineSegment.new(wall.tail_point(), wall.head_point()))
+
+
+func _let_drag() -> void:
+	for place in _walls.size():
+		var wall := _walls[place]
+		on_drag(wall.moved, wall.released, _move_wall.bind(place))
+	_let_drag_handle(%StartHandle as Handle, _model.move_start)
+	_let_drag_handle(%TargetHandle as Handle, _model.move_target)
+	_let_drag_handle(%RadiusHandle as Handle, _model.fit_radius)
+	_let_drag_handle(%ImageHandle as Handle, _model.fit_bounciness)
+
+
+func _let_drag_handle(handle: Handle, change: Callable) -> void:
+	on_drag(handle.moved, handle.released, change)
+
+
+func _fill_panel() -> void:
+	_formula = BankShotFormula.new(services[&"formula"] as Formula)
+	_readout = BankShotReadout.new(services[&"readout"] as Readout)
+	var options := services[&"options"] as LessonOptions
+	_choices = BankShotChoices.new(options)
+	on_edit(options.chosen, _choose)
+	options.offer_presets(BankShotModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(BankShotMistakes.infos())
+	var kinds := BankShotExercise.Kind.size()
+	(services[&"question"] as Question).offer(BankShotExercise.fresh, kinds)
+	on_enter(_model.enter)
+	on_pick(_take)
+
+
+# What moves by itself.
+
+
+# To hundredths, so that the numbers beside it stay short.
+func _swing(seconds: float, first: Vec2) -> void:
+	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	_model.board.target.x = snappedf(first.x + _SWING * share, 0.01)
+
+
+func _fly(seconds: float) -> void:
+	if _transport.is_playing and _seconds >= BankShotAnswer.LONGEST:
+		_seconds = 0.0
+	_seconds = clampf(_seconds + seconds, 0.0, BankShotAnswer.LONGEST)
+	if _seconds >= BankShotAnswer.LONGEST:
+		_transport.is_playing = false
+	_drawing.show_balls(_model, _step(), _seconds)
 
 
 # What the student does.
 
 
-func _drag(tail: Vec2, head: Vec2) -> void:
-	_model.v = head.minus(tail)
+func _move_wall(from: Vec2, to: Vec2, place: int) -> String:
+	return _model.move_wall(place, from, to)
 
 
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
+func _choose(key: String, place: int) -> String:
+	return _choices.choose(_model, key, place)
+
+
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
+	if changes.has("mistake"):
+		_model.show_mistake(_model.mistake)
+		# A mistake is shown beside the right way: at the step of that, or later.
+		if _model.mistake != 0 and _step() < BankShotModel.Step.BOUNCE:
+			(services[&"steps"] as Steps).go_to(BankShotModel.Step.BOUNCE)
+	return problem
 
 
 # What the student sees.
 
 
+# Not during a drag: it would slow it down.
+func _measure() -> void:
+	_seconds = 0.0
+	if _step() == BankShotModel.Step.FIRE:
+		_model.answer().measure_bound()
+	if _step() >= BankShotModel.Step.BOUNCE:
+		_readout.measure(_model)
+
+
 func _show() -> void:
-	var v := _model.v
-	_v.lay(Vec2.new(), v)
-	_formula.put_symbol("v", "v", Palette.Role.A)
-	_formula.put_number("x", v.x, Palette.Role.A, tr("x of v"))
-	_formula.put_number("y", v.y, Palette.Role.A, tr("y of v"))
-	_formula.put_number("square", v.dot(v), Palette.Role.INK)
-	_formula.put_number("length", v.length(), Palette.Role.INK)
-	_formula.show_lines(["{v} = ( {x} , {y} )", "|{v}| = √({v} · {v}) = √{square} = {length}"])
-	# |v| is the scalar projection of v on itself.
-	var error := ExactProjection.error_of_scalar_projection(v.length(), v, v)
-	_readout.show_result("length", "|v|", v.length(), error, CallTimer.nanoseconds(v.length))
+	ask_choice_before(
+		BankShotModel.Step.IMAGE,
+		BankShotTexts.question_on_image(),
+		BankShotTexts.choices(),
+		func() -> int: return 1 if _model.board.bounces == 1 and _model.answer().way.hit else -1
+	)
+	ask_before(BankShotModel.Step.BOUNCE, BankShotTexts.question_on_bounce(), _truth, _first_guess)
+	tell_steps(BankShotTexts.sentences(_model))
+	tell_code(BankShotCode.lines(_model, _step()), BankShotCode.inputs(_model))
+	_choices.show_model(_model, _step())
+	_transport.visible = _step() == BankShotModel.Step.FIRE
+	_drawing.show_model(_model, _step(), _seconds)
+	_formula.show_model(_model, _step())
+	_readout.show_model(_model, _step())
+
+
+func _truth() -> Vec2:
+	var way := _model.answer().way
+	return way.bounces[0] if way.hit else null
+
+
+func _first_guess() -> Vec2:
+	return _model.board.start.lerped(_model.board.target, 0.5)
+
+
+func _step() -> BankShotModel.Step:
+	return step as BankShotModel.Step

@@ -38,6 +38,9 @@ const _WIDEST_MARGIN := 0.12
 ## Units to which handles snap and by which keys nudge; 0 for the step of the grid.
 @export_range(0.0, 100.0, 0.001, "or_greater") var snap_step := 0.0
 
+## What [method fit] keeps in the middle: the origin, or, where false, the middle of the points.
+@export var keeps_origin := true
+
 ## Pixels of the screen per unit of the plane.
 var pixels_per_unit := 40.0
 
@@ -132,16 +135,17 @@ func snapped_to_step(point: Vec2) -> Vec2:
 	return Vec2.new(roundf(point.x / step) * step, roundf(point.y / step) * step)
 
 
-## Chooses scale and grid so that all [param points] and the origin are well inside; the origin
-## stays in the middle. The step is below 1 only if all points are within 1 of the origin, so that
-## handles snap to whole units.
+## Chooses scale and grid so that all [param points] are well inside. The origin is in the middle,
+## where the board [member keeps_origin]. The step is below 1 only if all points are within 1 of the
+## middle, so that handles snap to whole units.
 func fit(points: Array[Vec2]) -> void:
 	_fitted = points
+	_middle = Vec2.new() if keeps_origin else _middle_of(points)
 	var reach_x := 0.0
 	var reach_y := 0.0
 	for point in points:
-		reach_x = maxf(reach_x, absf(point.x))
-		reach_y = maxf(reach_y, absf(point.y))
+		reach_x = maxf(reach_x, absf(point.x - _middle.x))
+		reach_y = maxf(reach_y, absf(point.y - _middle.y))
 	var half := (size - Vector2(0.0, _covered.x + _covered.y)) / 2.0
 	var edge := minf(margin, minf(size.x, size.y) * _WIDEST_MARGIN) if is_small() else margin
 	var room := (half - Vector2(edge, edge)).max(Vector2(40.0, 40.0).min(half * 0.8))
@@ -233,6 +237,18 @@ func end_drag() -> void:
 	if _pressed_button != MOUSE_BUTTON_NONE:
 		_pressed_button = MOUSE_BUTTON_NONE
 		released.emit()
+
+
+# The middle of the upright box around these points; the origin where there are none.
+static func _middle_of(points: Array[Vec2]) -> Vec2:
+	if points.is_empty():
+		return Vec2.new()
+	var low := points[0].copy()
+	var high := points[0].copy()
+	for point in points:
+		low.set_xy(minf(low.x, point.x), minf(low.y, point.y))
+		high.set_xy(maxf(high.x, point.x), maxf(high.y, point.y))
+	return low.lerped(high, 0.5)
 
 
 # The smallest 1, 2 or 5 times 10^n that is not below `least`.

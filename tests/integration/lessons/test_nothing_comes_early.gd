@@ -91,6 +91,20 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 	&"ballistic_aim":
 	{"Drop": 1, "Verdict": 2, "Arc1": 3, "Arc2": 3, "Aim": 3, _TABLE: 3, "Envelope": 4, "Least": 4},
 	&"timed_shot": {"Cross": 1, "Verdict": 2, "Waiting": 2, _TABLE: 2},
+	&"bank_shot":
+	{
+		"Moved1": 1,
+		"Normal1": 1,
+		"Image1": 2,
+		"Mirror1": 2,
+		"Depth": 2,
+		"Straight1": 3,
+		"Bounce1": 3,
+		"Path": 3,
+		"Verdict": 3,
+		_TABLE: 3,
+		"Orders": 4,
+	},
 }
 
 

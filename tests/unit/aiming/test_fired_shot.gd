@@ -17,6 +17,18 @@ func test_a_bullet_bounces_with_its_radius() -> void:
 	assert_almost_eq(shot.place_after(2.0).distance_to(Vec2.new(340, 100)), 0.0, 1e-12)
 
 
+func test_the_corners_of_a_shot_are_its_start_its_bounces_and_its_end() -> void:
+	var floor_line: Array[LineSegment] = [LineSegment.new(Vec2.new(0, 300), Vec2.new(400, 300))]
+	var velocity := Vec2.new(120, 180)
+	var shot := FiredShot.new(Vec2.new(100, 100), velocity, Vec2.zero(), 20.0, floor_line)
+	var corners := shot.corners(2.0)
+	var wanted: Array[Vec2] = [Vec2.new(100, 100), Vec2.new(220, 280), Vec2.new(340, 100)]
+	assert_eq(corners.size(), wanted.size())
+	for place: int in wanted.size():
+		assert_almost_eq(corners[place].distance_to(wanted[place]), 0.0, 1e-12)
+	assert_eq(shot.corners(0.5).size(), 2, "not before it bounces")
+
+
 func test_a_shot_at_where_the_target_is_now_misses_by_123() -> void:
 	var target := AimTarget.new(Vec2.new(240, 0), Vec2.new(0, 90))
 	var shot := FiredShot.new(Vec2.zero(), Vec2.new(150, 0))

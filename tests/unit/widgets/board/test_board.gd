@@ -102,3 +102,13 @@ func _situations() -> Array[Array]:
 		[Vec2.new(-1e100, 1e100)] as Array[Vec2],
 		[Vec2.new(0, 1e-100)] as Array[Vec2],
 	]
+
+
+func test_a_board_that_does_not_keep_the_origin_has_the_points_in_its_middle() -> void:
+	_board.keeps_origin = false
+	var corners: Array[Vec2] = [Vec2.new(300, 100), Vec2.new(500, 160)]
+	_board.fit(corners)
+	assert_almost_eq(_board.to_screen(Vec2.new(400, 130)), _board.size / 2.0, Vector2(1e-6, 1e-6))
+	var first := _board.to_screen(corners[0])
+	assert_true(Rect2(Vector2.ZERO, _board.size).has_point(first))
+	assert_lt(first.x, _board.margin + 1.0, "it is as large as there is room")
