@@ -91,8 +91,8 @@ func _note(text: String, letters: Rect2, font_size: int, part: BoardPart) -> voi
 
 # The same text in the same place reads as one, such as that of an arrow that begins to turn.
 static func _can_strike(one: Drawn, other: Drawn) -> bool:
-	var is_same := one.text == other.text and one.letters.is_equal_approx(other.letters)
-	return one.part.board == other.part.board and not is_same
+	var is_one_text := one.text == other.text and one.letters.is_equal_approx(other.letters)
+	return one.part.board == other.part.board and not is_one_text
 
 
 static func _lie_on_each_other(one: Rect2, other: Rect2) -> bool:
