@@ -163,6 +163,8 @@ func _lay_arcs(model: AimAtModel, step: int) -> void:
 	_beta.visible = step == AimAtModel.Step.CURRENT and model.barrel_degrees != 0.0
 	_theta.visible = sees and step in [AimAtModel.Step.LOOK, AimAtModel.Step.NESTED]
 	_own.visible = sees and step == AimAtModel.Step.NESTED
+	# Its size is on the card, too: on a small board there is no room beside that of theta.
+	_own.shows_value = not _own.board.is_small()
 	_delta.visible = sees and step == AimAtModel.Step.TURN
 	_reference.visible = _alpha.visible or _theta.visible
 
