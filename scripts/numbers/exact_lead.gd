@@ -22,12 +22,7 @@ var _radius: DoubleDouble
 ## it, and a target at [param target] with [param velocity]; both together have the radius
 ## [param radius]. Pixels and pixels per second, each 0 or between 1e-70 and 1e70 in size.
 func _init(
-	shooter: Vec2,
-	shooter_velocity: Vec2,
-	target: Vec2,
-	velocity: Vec2,
-	speed: float,
-	radius: float
+	shooter: Vec2, shooter_velocity: Vec2, target: Vec2, velocity: Vec2, speed: float, radius: float
 ) -> void:
 	_way_x = DoubleDouble.sum_of(target.x, -shooter.x)
 	_way_y = DoubleDouble.sum_of(target.y, -shooter.y)

@@ -185,8 +185,8 @@ func _lay_falling(model: AimAtModel, shots: AimShots, step: int) -> void:
 	_velocity.visible = is_shown
 	for i: int in _poses.size():
 		var moment := AimAtModel.POSES[i]
-		var velocity := shots.falling_velocity(moment)
-		_poses[i].lay(shots.falling_place(moment), velocity.angle_degrees())
+		var turned := shots.falling_velocity(moment).angle_degrees()
+		_poses[i].lay(shots.falling_place(moment), turned)
 		_poses[i].visible = is_shown
 	if is_shown:
 		var end := shots.end(step)
@@ -255,4 +255,21 @@ func _show_verdict(model: AimAtModel, shots: AimShots, step: int) -> void:
 	var places: PackedVector2Array = []
 	for place: Vec2 in [model.hull, model.target, model.hull.lerped(model.target, 0.5)]:
 		places.append(board.to_screen(place))
+	if step == AimAtModel.Step.NESTED:
+		places.append_array(_names_of_arcs(model))
 	_verdict.keep_off(places, 30.0)
+
+
+# Where the names of the three arcs are, which the card must not hide.
+func _names_of_arcs(model: AimAtModel) -> PackedVector2Array:
+	var middle := _mark.board.to_screen(model.hull)
+	var halves: Dictionary[AngleArc, float] = {
+		_alpha: 0.5 * model.hull_degrees,
+		_theta: 0.5 * model.target_degrees(),
+		_own: model.hull_degrees + 0.5 * model.wanted_degrees(),
+	}
+	var found: PackedVector2Array = []
+	for arc in halves:
+		var outwards := _mark.board.direction_to_screen(Vec2.unit_degrees(halves[arc]))
+		found.append(middle + outwards * (arc.radius + 30.0))
+	return found

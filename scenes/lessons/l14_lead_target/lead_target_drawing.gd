@@ -8,6 +8,14 @@ extends Node2D
 const _BULLET := 6.0
 const _BARREL := 48.0
 const _STEM := 40.0
+# Where the graph may stand, the first that is free, and so far from the edges, in pixels.
+const _CORNERS: Array[Control.LayoutPreset] = [
+	Control.PRESET_BOTTOM_LEFT,
+	Control.PRESET_BOTTOM_RIGHT,
+	Control.PRESET_TOP_LEFT,
+	Control.PRESET_TOP_RIGHT,
+]
+const _MARGIN_OF_GRAPH := 12
 # At most so many dots on a way.
 const _MOST_TICKS := 12.0
 # A radius that is dragged ends at whole steps of this many units.
@@ -63,6 +71,7 @@ func show_model(model: LeadTargetModel, shots: LeadShots, step: int) -> void:
 	_lay_ways(model, shots, step)
 	_lay_wrong(model, shots, step)
 	_graph.visible = step >= LeadTargetModel.Step.TIME and step < LeadTargetModel.Step.FIRE
+	_place_graph(model)
 	_graph.show_equation(model.equation(), model.aim().time if model.can_hit() else NAN)
 	show_flight(model, shots, step)
 	_show_verdict(model, shots, step)
@@ -262,6 +271,37 @@ func _lay_wrong(model: LeadTargetModel, shots: LeadShots, step: int) -> void:
 	_wrong_miss.label = tr("%s px") % NumberText.short(wrong.miss, 3)
 	var side := model.way().normal()
 	_wrong_miss.lay(wrong.place_after(wrong.moment), target_then, side)
+
+
+# In the first corner of the board where it hides neither the shooter nor the target.
+func _place_graph(model: LeadTargetModel) -> void:
+	var board := _mark.board
+	if _graph.get_parent() != board:
+		return
+	for corner in _CORNERS:
+		var is_right := corner in [Control.PRESET_BOTTOM_RIGHT, Control.PRESET_TOP_RIGHT]
+		var is_low := corner in [Control.PRESET_BOTTOM_LEFT, Control.PRESET_BOTTOM_RIGHT]
+		var room := board.size - _graph.size
+		var at := Vector2(room.x if is_right else 0.0, room.y if is_low else 0.0)
+		var hides := func(place: Vec2) -> bool:
+			return Rect2(at, _graph.size).grow(30.0).has_point(board.to_screen(place))
+		if not _places_to_keep_free(model).any(hides):
+			var mode := Control.PRESET_MODE_KEEP_SIZE
+			_graph.set_anchors_and_offsets_preset(corner, mode, _MARGIN_OF_GRAPH)
+			return
+
+
+func _places_to_keep_free(model: LeadTargetModel) -> Array[Vec2]:
+	var places: Array[Vec2] = [
+		model.shooter,
+		model.target,
+		model.shooter.plus(model.own),
+		model.target.plus(model.velocity),
+	]
+	if model.can_hit():
+		places.append(model.target_after(model.aim().time, false))
+		places.append(model.target_after(model.aim().time, true))
+	return places
 
 
 func _show_verdict(model: LeadTargetModel, shots: LeadShots, step: int) -> void:

@@ -67,8 +67,8 @@ func _take(state: Dictionary) -> void:
 
 
 static func _vector(stored: Variant) -> Vec2:
-	var pair: PackedFloat64Array = stored
-	return Vec2.new(pair[0], pair[1])
+	var components: PackedFloat64Array = stored
+	return Vec2.new(components[0], components[1])
 
 
 # How far the target is beyond the reach after so many seconds, if it moves with this velocity.
@@ -278,7 +278,7 @@ func _claims_of_sentences(step: int) -> Dictionary[String, bool]:
 func _claims_of_card(step: int) -> Dictionary[String, bool]:
 	var is_flown := step == _FIRE and _is_flown()
 	var is_compared := _mistake != 0 and step >= _AIM
-	var is_same := _wrong.distance_to(_right_direction()) <= 1e-6 or _is_far()
+	var aims_alike := _wrong.distance_to(_right_direction()) <= 1e-6 or _is_far()
 	var has_none := _wrong.length() == 0.0
 	# Its root may be one or none, or the first place where it touches.
 	var is_unsure := _is_far() or _can_graze() or _mistake >= _WITHOUT_OWN
@@ -293,7 +293,7 @@ func _claims_of_card(step: int) -> Dictionary[String, bool]:
 		"miss ": is_flown,
 		"px; ε × condition": is_flown,
 		"the mistake finds no direction": is_compared and (has_none or is_unsure),
-		"the mistake changes nothing here": is_compared and is_same,
+		"the mistake changes nothing here": is_compared and aims_alike,
 		"the mistake hits all the same": is_compared and _hits(_wrong),
 		"the mistake misses by": is_compared and not has_none and _misses(_wrong),
 	}
