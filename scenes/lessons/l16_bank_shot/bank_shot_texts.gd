@@ -143,8 +143,8 @@ static func _on_bounce(model: BankShotModel) -> String:
 	var answer := model.answer()
 	var image := image_symbol(model.board.bounces, model.board.bounces)
 	if not answer.way.hit:
-		var sentence := LabText.translate("Straight at %s? Not here: %s.")
-		return sentence % [image, reason(answer.way)]
+		var refusal := LabText.translate("Straight at %s? Not here: %s.")
+		return refusal % [image, reason(answer.way)]
 	if model.board.bounces == 1:
 		return LabText.translate(
 			"Shoot straight at T′. Where this line crosses the moved wall, the ball bounces to T."

@@ -242,7 +242,7 @@ func is_overlapped() -> bool:
 	return false
 
 
-func images() -> Array[Point]:
+func images_of_way() -> Array[Point]:
 	return way.images
 
 
@@ -251,7 +251,7 @@ func wrong_direction() -> Point:
 	var sides := way.sides
 	if mistake == _MIDPOINT:
 		var wall := int(walked[0]) - 1
-		var middle := start.plus(start.to(images()[1]), 0.5)
+		var middle := start.plus(start.to(images_of_way()[1]), 0.5)
 		var above := height(middle, wall, sides[0]) - radius
 		return unit(start.to(middle.plus(_normal(wall, sides[0]), -above)))
 	var image := target

@@ -166,7 +166,7 @@ func _problem_of_mistake(line: String) -> String:
 	if not line.contains("mistake") or not _has_images() or _board.is_close:
 		return ""
 	var wrong := _board.wrong_direction()
-	var right := _board.start.to(_board.images()[0])
+	var right := _board.start.to(_board.images_of_way()[0])
 	var off := wrong.plus(right, -1.0 / right.length()).length()
 	if line == "the mistake changes nothing here":
 		return "" if off < 2.0 * _BOARD.SLACK else "it aims %s off: “%s”" % [off, line]
@@ -217,7 +217,7 @@ func _problem_of_rows(rows: Array[PackedStringArray]) -> String:
 			if _BOARD.is_hit(_board.way) and not _board.is_close:
 				return "there is a direction: “%s”" % "  ".join(row)
 			continue
-		var right := _BOARD.unit(_board.start.to(_board.images()[0]))
+		var right := _BOARD.unit(_board.start.to(_board.images_of_way()[0]))
 		if not _can_be(_BOARD.Found.HIT) or not is_pair(row[1], right.x, right.y, 1e-9):
 			return "it is (%s, %s): “%s”" % [right.x, right.y, "  ".join(row)]
 		if not SeenLesson.first_number(row[2]) <= _BOARD.SLACK:

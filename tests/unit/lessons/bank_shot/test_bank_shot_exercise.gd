@@ -8,7 +8,9 @@ func test_the_right_answer_of_each_kind_hits_on_its_board() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = _SEED
 	for number: int in 20:
-		for kind: BankShotExercise.Kind in [0, 1, 2]:
+		for kind: BankShotExercise.Kind in [
+			BankShotExercise.Kind.IMAGE, BankShotExercise.Kind.BOUNCE, BankShotExercise.Kind.LOSS
+		]:
 			var exercise := BankShotExercise.fresh(kind, rng)
 			var model := BankShotModel.new()
 			model.board.walls.append(LineSegment.new(Vec2.zero(), Vec2.new(1, 0)))
