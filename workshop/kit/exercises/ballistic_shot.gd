@@ -8,7 +8,7 @@ const _HIGH := 1.0
 
 ## The exercise with its methods.
 static func exercise() -> WorkshopExercise:
-	var made := WorkshopExercise.new(14, LabText.translate("Aiming under gravity"), "")
+	var made := WorkshopExercise.new(14, LabText.translate("Aiming under gravity"), "ballistic_aim")
 	var flat := _task("flat_arc", _FLAT)
 	flat.way(
 		0,

@@ -14,7 +14,7 @@ const _STEEP: Array[float] = [-400.0, 300.0, -250.0, -300.0]
 
 ## The exercise with its methods.
 static func exercise() -> WorkshopExercise:
-	var made := WorkshopExercise.new(15, LabText.translate("Aiming over lines"), "")
+	var made := WorkshopExercise.new(15, LabText.translate("Aiming over lines"), "bank_shot")
 	made.tasks = [_once(), _twice()]
 	return made
 

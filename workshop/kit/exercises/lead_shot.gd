@@ -5,7 +5,7 @@ extends RefCounted
 
 ## The exercise with its methods.
 static func exercise() -> WorkshopExercise:
-	var made := WorkshopExercise.new(13, LabText.translate("Aiming ahead"), "")
+	var made := WorkshopExercise.new(13, LabText.translate("Aiming ahead"), "lead_target")
 	made.tasks = [_time(), _direction()]
 	return made
 
