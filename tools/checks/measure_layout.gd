@@ -18,7 +18,7 @@ const _HAND_INS := "res://tests/data/hand_ins"
 # Where the lab looks for the student's files.
 const _DESK := "user://desk_in_checks"
 ## Hand-ins which together have all exercises right.
-const RIGHT: PackedStringArray = ["right_step", "right_plain", "right_segment"]
+const RIGHT: PackedStringArray = ["right_step", "right_plain", "right_segment", "right_aim"]
 ## For each lesson with exercises a hand-in with something wrong, which is told with its numbers.
 const WRONG: Dictionary[String, String] = {
 	"normals": "normal_not_unit",
@@ -28,6 +28,9 @@ const WRONG: Dictionary[String, String] = {
 	"reflection": "reflect_tangent",
 	"angled_lines": "step_rest_lost",
 	"line_ends": "segment_at_new",
+	"lead_target": "lead_one_step",
+	"ballistic_aim": "arc_straight",
+	"bank_shot": "bank_plain_mirror",
 }
 
 var _states := 12

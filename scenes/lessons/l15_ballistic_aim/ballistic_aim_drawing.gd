@@ -11,7 +11,7 @@ const ROLES: Array[Palette.Role] = [
 const TICK := 0.25
 
 # A way is drawn with so many pieces.
-const _PIECES := 60
+const _PIECES := 40
 # The barrel, bullet and target are drawn so large, in pixels, at every scale.
 const _BARREL := 34.0
 const _BULLET := 6.0
@@ -93,8 +93,9 @@ func _lay_shooter(model: BallisticAimModel, step: BallisticAimModel.Step) -> voi
 
 func _lay_ways(model: BallisticAimModel, step: BallisticAimModel.Step) -> void:
 	var towards := model.target.normalized()
-	_show_way(_straight, model.bullet_after.bind(towards), model.end(BallisticAimModel.Step.DROP))
 	_straight.visible = step < BallisticAimModel.Step.ARCS and towards.length() > 0.0
+	if _straight.visible:
+		_show_way(_straight, model.bullet_after.bind(towards), model.end(step))
 	var shots := model.shots()
 	for place in _arcs.size():
 		_arcs[place].visible = step >= BallisticAimModel.Step.ARCS and place < shots.size()
@@ -103,7 +104,8 @@ func _lay_ways(model: BallisticAimModel, step: BallisticAimModel.Step) -> void:
 			_arcs[place].width = 4.0 if place == model.arc_flown() else 2.0
 			_show_way(_arcs[place], model.bullet_after.bind(shot.direction), shot.time)
 	_target_path.visible = not model.is_fixed()
-	_show_way(_target_path, model.target_after, model.end(step))
+	if _target_path.visible:
+		_show_way(_target_path, model.target_after, model.end(step))
 
 
 func _show_way(way: FlightPath, place: Callable, seconds: float) -> void:

@@ -54,7 +54,7 @@ func _crossing_lines(model: TimedShotModel) -> PackedStringArray:
 			return [tr("direction: d = (T + V t − S) / (s t)")]
 	var found: PackedStringArray = [
 		"P = {T} − {S} = {P_pair}     n = (−{V}.y, {V}.x) = {n_pair}",
-		"P · n = {P_pair} · {n_pair} = {P_n}     {W} · n = {W_pair} · {n_pair} = {W_n}",
+		"P · n = {P_x}·{n_x} + {P_y}·{n_y} = {P_n}     {W} · n = {W_x}·{n_x} + {W_y}·{n_y} = {W_n}",
 	]
 	if model.bullet.dot(model.across()) == 0.0:
 		found.append(tr("W · n is 0: no f"))
@@ -92,7 +92,8 @@ func _moment_lines(model: TimedShotModel) -> PackedStringArray:
 				tr("from S to X:") + " {aim}°     " + tr("barrel then:") + " {turned}°",
 			]
 	return [
-		"{hit_symbol} = (X − {T}) · {V} / ({V} · {V}) = {X_T} · {V_pair} / {V_V} = {hit}",
+		"X − {T} = {X_T}     (X − {T}) · {V} = {X_T_x}·{V_x} + {X_T_y}·{V_y} = {X_T_V}",
+		"{hit_symbol} = (X − {T}) · {V} / ({V} · {V}) = {X_T_V} / {V_V} = {hit}",
 		_fire_line(model),
 	]
 
@@ -157,6 +158,10 @@ func _put_line(model: TimedShotModel) -> void:
 	_formula.put_vector("V_pair", model.velocity, Palette.Role.B)
 	_formula.put_vector("P_pair", way, Palette.Role.INK)
 	_formula.put_vector("n_pair", n, Palette.Role.UNIT)
+	_put_components("P", way, Palette.Role.INK)
+	_put_components("W", model.bullet, Palette.Role.A)
+	_put_components("V", model.velocity, Palette.Role.B)
+	_put_components("n", n, Palette.Role.UNIT)
 	_formula.put_sum("P_n", way.dot(n), way.length() * n.length(), Palette.Role.INK)
 	_formula.put_number("W_n", model.bullet.dot(n), Palette.Role.INK)
 	_formula.put_number("W_n_size", absf(model.bullet.dot(n)), Palette.Role.INK)
@@ -181,11 +186,14 @@ func _put_times(model: TimedShotModel) -> void:
 	if flight > 0.0:
 		var x := model.crossing()
 		_formula.put_vector_sum("X_pair", x, _terms_of_crossing(model), Palette.Role.INK)
-		_formula.put_vector("X_T", x.minus(model.target), Palette.Role.INK)
+		_put_way_to_crossing(model, x.minus(model.target))
 	if not model.has_shot():
 		return
 	var shot := model.shot()
 	var hit := shot.fire + shot.flight
+	if model.kind == TimedShotModel.Kind.TURNING:
+		# Its line comes to X by the way of the target.
+		_formula.put_vector("X_pair", model.target_after(hit), Palette.Role.INK)
 	_formula.put_number("hit", hit, Palette.Role.INK)
 	_formula.put_sum("fire", shot.fire, hit + flight, blue)
 	var gap := absf(model.circling) * hit
@@ -202,9 +210,22 @@ func _put_times(model: TimedShotModel) -> void:
 		_formula.put_number("late", model.window()[1], blue)
 
 
+func _put_components(name_in_line: String, vector: Vec2, role: Palette.Role) -> void:
+	_formula.put_number(name_in_line + "_x", vector.x, role)
+	_formula.put_number(name_in_line + "_y", vector.y, role)
+
+
 func _put_direction(name_in_line: String, direction: Vec2, role: Palette.Role) -> void:
 	var degrees := Conventions.in_range(Vec2.rad_to_deg(direction.angle_radians()))
 	_formula.put_angle(name_in_line, degrees, role)
+
+
+func _put_way_to_crossing(model: TimedShotModel, way: Vec2) -> void:
+	var terms := way.length() * model.velocity.length()
+	_formula.put_vector("X_T", way, Palette.Role.INK)
+	_formula.put_number("X_T_x", way.x, Palette.Role.INK)
+	_formula.put_number("X_T_y", way.y, Palette.Role.INK)
+	_formula.put_sum("X_T_V", way.dot(model.velocity), terms, Palette.Role.INK)
 
 
 # The sizes of all that is added up to X, by the way of the bullet or by that of the target.

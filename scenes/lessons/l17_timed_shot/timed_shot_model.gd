@@ -113,9 +113,12 @@ var time := 0.0
 
 # What the solver found, and for which numbers.
 var _shot := TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
-var _window: PackedFloat64Array = []
 var _solved_for: Array = []
-var _window_for: Array = []
+# What was found for the same numbers, so that no frame searches: the window, when each step ends,
+# and the moment of the mistake, NAN before it is found.
+var _window: PackedFloat64Array = []
+var _ends: Dictionary[Step, float] = {}
+var _wrong_fire := NAN
 
 
 ## When to fire; read its `hit` first.
@@ -225,7 +228,14 @@ func flies_right(step: Step) -> bool:
 
 ## How long everything moves at [param step], in seconds: until the bullet hits, or is nearest.
 func end(step: Step) -> float:
-	var last := own_fire + maxf(miss_at(own_fire).moment, _FLIGHT)
+	_solve()
+	if not _ends.has(step):
+		_ends[step] = _found_end(step)
+	return _ends[step]
+
+
+func _found_end(step: Step) -> float:
+	var last := own_fire + clampf(miss_at(own_fire).moment, _FLIGHT, TimedShotCheck.LONGEST)
 	if flies_right(step):
 		last = shot().fire + shot().flight
 	if compares(step):
@@ -239,7 +249,10 @@ func miss_at(at: float, computed: float = 0.0) -> ShotMiss:
 	var leaving := bullet_velocity(at)
 	if kind != Kind.CIRCLE:
 		var there := AimTarget.new(target_after(at), velocity)
-		return ShotMiss.of(muzzle, leaving, Vec2.zero(), there, TimedShotCheck.LONGEST, computed)
+		var closing := leaving.distance_to(velocity)
+		# They are nearest before one could have come to the other.
+		var longest := there.position.distance_to(muzzle) / closing if closing > 0.0 else 0.0
+		return ShotMiss.of(muzzle, leaving, Vec2.zero(), there, longest, computed)
 	var place := func(seconds: float) -> Vec2: return target_after(at + seconds)
 	var moments: PackedFloat64Array = [0.0, computed, _circle_pass(at).nearest_time()]
 	return ShotMiss.nearest_of(FiredShot.new(muzzle, leaving), place, moments)
@@ -270,9 +283,8 @@ func rounding() -> float:
 ## The first and the last moment of the firing window around the right shot, in seconds: every shot
 ## between hits. Only where there is a shot.
 func window() -> PackedFloat64Array:
-	var numbers := to_dictionary().values()
-	if numbers != _window_for:
-		_window_for = numbers
+	_solve()
+	if _window.is_empty():
 		_window = [maxf(shot().fire - _half_window(-1.0), 0.0), shot().fire + _half_window(1.0)]
 	return _window
 
@@ -286,6 +298,13 @@ func half_window() -> float:
 ## The moment to fire to which the mistake that is switched on leads; only where there is a shot. A
 ## turning barrel fires when it points at the target itself.
 func wrong_fire() -> float:
+	_solve()
+	if is_nan(_wrong_fire):
+		_wrong_fire = _found_wrong_fire()
+	return _wrong_fire
+
+
+func _found_wrong_fire() -> float:
 	if kind == Kind.TURNING and mistake == TimedShotMistakes.IN_FRONT:
 		var seen := _barrel(1e6 * (1.0 + velocity.length())).first(TimedShotCheck.LONGEST)
 		return seen.fire if seen.hit else shot().fire
@@ -389,6 +408,9 @@ func _solve() -> void:
 		return
 	_solved_for = numbers
 	_shot = solved()
+	_window.clear()
+	_ends.clear()
+	_wrong_fire = NAN
 
 
 ## When to fire, as the solver finds it anew.

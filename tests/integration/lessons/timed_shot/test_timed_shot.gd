@@ -17,7 +17,7 @@ func after_each() -> void:
 
 
 func test_it_fires_the_flight_before_the_target_is_there() -> void:
-	assert_eq(_lines()[-2], "hit = (X − T) · V / (V · V) = (300, 0) · (100, 0) / 10000 = 3")
+	assert_eq(_lines()[-2], "hit = (X − T) · V / (V · V) = 30000 / 10000 = 3")
 	assert_eq(_lines()[-1], "fire = hit − f = 3 − 1 = 2")
 	assert_reads("fire after 2 s")
 
