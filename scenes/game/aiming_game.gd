@@ -4,6 +4,10 @@ extends Lesson
 ## What a key does, in a word for the help line: source text.
 const ACTIONS: Dictionary[StringName, String] = {&"left_click": "turn", &"ui_accept": "fire"}
 
+## In the opening the barrel swings so far to both sides, in degrees, and so often in 20 seconds.
+const _SWING := 25.0
+const _SWINGS := 5.0
+
 var _model := AimingGameModel.new()
 var _card_place: CardPlace
 
@@ -38,6 +42,7 @@ func start() -> void:
 	_keep_free()
 	if Keyboard.is_there:
 		_sight.grab_focus()
+	open_with(_swing.bind(_model.hand_degrees))
 
 
 func _process(delta: float) -> void:
@@ -49,6 +54,12 @@ func _process(delta: float) -> void:
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"ui_accept"):
 		_press()
+
+
+# What moves by itself: the barrel swings until somebody does anything.
+func _swing(seconds: float, first: float) -> void:
+	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	_model.turn_to(roundf(first + _SWING * share))
 
 
 # What the student does.

@@ -95,9 +95,14 @@ func plan() -> GameAim:
 ## Turns the barrel by hand to [param point]. From then on it does not turn by itself.
 func aim_at(point: Vec2) -> void:
 	if point.distance_to(level().gun) > 0.0 and not is_won():
-		hand_degrees = rad_to_deg(Turn.toward(level().gun, point))
-		_barrel = deg_to_rad(hand_degrees)
+		turn_to(rad_to_deg(Turn.toward(level().gun, point)))
 		aims = false
+
+
+## Turns the barrel to so many [param degrees], clockwise on screen.
+func turn_to(degrees: float) -> void:
+	hand_degrees = degrees
+	_barrel = deg_to_rad(degrees)
 
 
 ## Fires, unless a bullet flies or the level is won. Returns whether it has.

@@ -1,5 +1,6 @@
 extends RefCounted
-## A demo on the web site: the whole lab, or one lesson. Texts are English, as the pages are.
+## A demo on the web site: the whole lab, one lesson, or the game. Texts are English, as the pages
+## are.
 
 const WebDemo := preload("web_demo.gd")
 
@@ -11,7 +12,7 @@ const _LAB_NAME := "Vec2 Lab"
 ## Its folder on the site, and the lesson's id.
 var id: String
 
-## A lesson's number; 0 for the whole lab.
+## A lesson's number; 0 for the whole lab and for the game.
 var number: int
 
 ## Its name.
@@ -21,13 +22,14 @@ var title: String
 var summary: String
 
 
-## The whole lab, then all lessons in the order of the start screen.
+## The whole lab, then all lessons and the game in the order of the start screen.
 static func all() -> Array[WebDemo]:
 	var lessons := LessonAgenda.lessons()
 	var lab := WebDemo.new()
 	lab.id = LAB
 	lab.title = _LAB_NAME
-	lab.summary = "All %d lessons in one program, with a card for each." % lessons.size()
+	var count := LessonIndex.lessons().size()
+	lab.summary = "All %d lessons in one program, with a card for each." % count
 	var demos: Array[WebDemo] = [lab]
 	for lesson in lessons:
 		demos.append(_of_lesson(lesson))
@@ -41,7 +43,13 @@ func heading() -> String:
 
 ## The title of its page, as the browser's tab and history show it.
 func page_title() -> String:
-	return "%d %s - %s" % [number, title, _LAB_NAME] if number else title
+	var named := "%d %s" % [number, title] if number else title
+	return title if is_lab() else "%s - %s" % [named, _LAB_NAME]
+
+
+## Whether it is the whole lab.
+func is_lab() -> bool:
+	return id == LAB
 
 
 static func _of_lesson(lesson: LessonInfo) -> WebDemo:

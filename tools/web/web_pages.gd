@@ -71,13 +71,13 @@ static func demo_page(
 	page: String, demo: WebDemo, next: WebDemo, sizes: Dictionary[String, int], address: String
 ) -> String:
 	var filled := fill(page, "title", _formatted("<title>{page_title}</title>", demo))
-	var preview := _preview(address, demo.id if demo.number else _PICTURE_OF_LAB)
+	var preview := _preview(address, _PICTURE_OF_LAB if demo.is_lab() else demo.id)
 	filled = fill(filled, "description", _formatted(_DESCRIPTION, demo) + preview)
 	filled = fill(filled, "icon", _ICON)
 	filled = fill(filled, "heading", _formatted("<h1>{heading}</h1>", demo))
 	filled = fill(filled, "home", _HOME)
-	filled = fill(filled, "next", _formatted(_NEXT, next) if next and demo.number else "")
-	filled = fill(filled, "picture", _formatted(_PICTURE, demo) if demo.number else "")
+	filled = fill(filled, "next", _formatted(_NEXT, next) if next and not demo.is_lab() else "")
+	filled = fill(filled, "picture", "" if demo.is_lab() else _formatted(_PICTURE, demo))
 	return fill(filled, "config", _shared(between(page, "config"), demo, sizes))
 
 

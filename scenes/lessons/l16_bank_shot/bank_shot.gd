@@ -5,6 +5,8 @@ extends Lesson
 ## In the opening the target swings so far to both sides, in pixels, and so often in 20 seconds.
 const _SWING := 40.0
 const _SWINGS := 4.0
+# As a share of the height of what is drawn.
+const _ROOM_FOR_CARD := 0.5
 
 ## How many bounces there have to be at the start.
 @export_range(1, 3) var bounces := 1
@@ -31,7 +33,7 @@ func start() -> void:
 	_fill_panel()
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_measure)
-	begin(_model, _show, func() -> Array[Vec2]: return _model.points_to_show(_step()))
+	begin(_model, _show, _points)
 	open_with(_swing.bind(_model.board.target.copy()))
 
 
@@ -114,6 +116,17 @@ func _take(changes: Dictionary) -> String:
 
 
 # What the student sees.
+
+
+# With room below for the card, where it stands on a small board.
+func _points() -> Array[Vec2]:
+	var found := _model.points_to_show(_step(), board.is_small())
+	if board.is_small() and board.size.x >= Board.SMALL and _step() >= BankShotModel.Step.BOUNCE:
+		var ys := found.map(func(point: Vec2) -> float: return point.y)
+		var lowest: float = ys.max()
+		var highest: float = ys.min()
+		found.append(Vec2.new(found[0].x, lowest + _ROOM_FOR_CARD * (lowest - highest)))
+	return found
 
 
 # Not during a drag: it would slow it down.

@@ -8,7 +8,7 @@ const _NORMAL_PIXELS := 44.0
 # Where along a wall its normal is.
 const _NORMAL_SHARE := 0.1
 # What the card must not hide is so far away from it, in pixels.
-const _AROUND_CARD := 24.0
+const _AROUND_CARD := 12.0
 
 @onready var _walls: Array[DraggableVector] = [%Wall1, %Wall2, %Wall3, %Wall4]
 @onready var _moved: Array[Arrow] = [%Moved1, %Moved2, %Moved3]

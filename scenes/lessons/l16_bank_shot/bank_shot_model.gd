@@ -171,10 +171,10 @@ func show_mistake(number: int) -> void:
 
 
 ## The points that the board has to show at [param step]: the images of several bounces only where
-## they are looked at, because they may be far away.
-func points_to_show(step: Step) -> Array[Vec2]:
+## they are looked at, because they may be far away; where the board [param is_small], each image.
+func points_to_show(step: Step, is_small: bool) -> Array[Vec2]:
 	var found := board.points()
-	if board.bounces == 1 or step in [Step.IMAGE, Step.BOUNCE]:
+	if step in [Step.IMAGE, Step.BOUNCE] or board.bounces == 1 and not is_small:
 		found.append_array(answer().way.images)
 	return found
 

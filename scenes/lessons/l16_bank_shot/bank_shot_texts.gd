@@ -178,10 +178,11 @@ static func _on_miss(answer: BankShotAnswer) -> PackedStringArray:
 	if is_nan(answer.bound):
 		return [LabText.translate("miss %s px") % miss]
 	var numbers := [miss, NumberText.size(answer.bound)]
-	return [
-		LabText.translate("miss %s px; ε × condition %s px") % numbers,
-		LabText.translate("so far rounding alone may move it")
-	]
+	var words: PackedStringArray = [LabText.translate("miss %s px; ε × condition %s px") % numbers]
+	# Beside the miss of a mistake there is no room for more.
+	if not answer.mistake_shows():
+		words.append(LabText.translate("so far rounding alone may move it"))
+	return words
 
 
 static func _on_length(model: BankShotModel) -> String:

@@ -106,6 +106,19 @@ func test_a_helper_that_finds_no_way_says_so() -> void:
 	assert_reads("The helper finds no way with one or two bounces.")
 
 
+func test_at_first_the_barrel_swings_until_somebody_does_anything() -> void:
+	OpeningMotion.is_allowed = true
+	await open_lesson(_game)
+	OpeningMotion.is_allowed = false
+	var swing := Callable(frame().lesson, &"_swing")
+	swing.call(1.0, AimingGameModel.START_DEGREES)
+	assert_eq(_model().hand_degrees, AimingGameModel.START_DEGREES + 25.0)
+	await student.press_key(KEY_H)
+	var stopped := _model().hand_degrees
+	await get_tree().process_frame
+	assert_eq(_model().hand_degrees, stopped)
+
+
 func test_a_level_is_a_link() -> void:
 	await open_lesson(_game)
 	await click_button("4")
