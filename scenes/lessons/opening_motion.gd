@@ -26,6 +26,17 @@ func _init(move: Callable, go_back: Callable) -> void:
 	is_running = true
 
 
+## Where a swing is after [param seconds] that goes there and back so many [param times] until
+## [constant LONGEST]: from 0 to 1, to -1 and to 0 again.
+static func swing(seconds: float, times: float) -> float:
+	return sin(TAU * times * seconds / LONGEST)
+
+
+## The same for a way that is gone from 0 to 1 and back.
+static func to_and_fro(seconds: float, times: float) -> float:
+	return 0.5 - 0.5 * cos(TAU * times * seconds / LONGEST)
+
+
 ## Leaves everything where it is.
 func stop() -> void:
 	set_process(false)

@@ -5,12 +5,17 @@ extends LabTest
 const _LONGEST := 170
 ## The most lines of code in the smallest lesson, which is read first and has one script.
 const _LONGEST_OF_SMALLEST := 40
-## At most this share of the lines may stand in [constant _COMMON] lessons or more. What every
-## lesson must have, and lines that hold only syntax, are left out of the count.
+## At most this share of the lines may stand in many lessons: in a quarter of them, and in three at
+## least. What every lesson must have, and lines that hold only syntax, are left out of the count.
 const _LARGEST_SHARE := 0.1
-const _COMMON := 3
+const _FEWEST := 3
+# Each lesson asks before it answers. What it asks stands in the lines that follow.
 const _NEEDED: PackedStringArray = [
-	"extends Lesson", "func start() -> void:", "func _show() -> void:"
+	"extends Lesson",
+	"func start() -> void:",
+	"func _show() -> void:",
+	"ask_before(",
+	"ask_choice_before(",
 ]
 const _SYNTAX: PackedStringArray = [")", "]", "}", "else:", "return", "pass"]
 
@@ -84,6 +89,6 @@ func _common_lines(codes: Array[PackedStringArray]) -> PackedStringArray:
 	for code: PackedStringArray in codes:
 		for line: String in code:
 			var places := codes.filter(func(other: PackedStringArray) -> bool: return line in other)
-			if places.size() >= _COMMON and not line in found:
+			if places.size() >= maxi(_FEWEST, codes.size() / 4) and not line in found:
 				found.append(line)
 	return found

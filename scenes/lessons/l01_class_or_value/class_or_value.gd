@@ -59,7 +59,7 @@ func _let_drag(vector: DraggableVector) -> void:
 
 # What moves by itself: Vec2 and Vector2, in step. Eighths are the same in 32 bits and in 64.
 func _sway(seconds: float, first: Vec2, second: Vec2) -> void:
-	var x := snappedf(_SWAY * sin(TAU * _SWAYS * seconds / OpeningMotion.LONGEST), 0.125)
+	var x := snappedf(_SWAY * OpeningMotion.swing(seconds, _SWAYS), 0.125)
 	var by := Vec2.new(x, 0.0)
 	_model.remember_and_move(first.plus(by), second.plus(by))
 

@@ -73,7 +73,7 @@ func _fill_panel() -> void:
 
 # What moves by itself: back along v and on again, to hundredths, so that the numbers stay short.
 func _swing(seconds: float, first: Ball) -> void:
-	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.to_and_fro(seconds, _SWINGS)
 	var place := first.position.minus(first.velocity.scaled(_SWING * share))
 	_model.ball.position.set_xy(snappedf(place.x, 0.01), snappedf(place.y, 0.01))
 

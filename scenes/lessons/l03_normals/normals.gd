@@ -66,7 +66,7 @@ func show_state(stored: Dictionary) -> void:
 # What moves by itself: the end swings, to hundredths, so that the numbers stay short.
 func _swing(seconds: float, v: Vec2) -> void:
 	var swung := v.copy()
-	swung.rotate_degrees(_SWING * sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST))
+	swung.rotate_degrees(_SWING * OpeningMotion.swing(seconds, _SWINGS))
 	var end := _model.start.plus(swung)
 	_model.end.set_xy(snappedf(end.x, 0.01), snappedf(end.y, 0.01))
 

@@ -54,7 +54,7 @@ func start() -> void:
 
 # To hundredths, so that the numbers beside it stay short.
 func _swing(seconds: float, first: Vec2) -> void:
-	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.swing(seconds, _SWINGS)
 	var swung := first.copy()
 	swung.rotate_degrees(_SWING * share)
 	var head := _model.a_tail.plus(swung)

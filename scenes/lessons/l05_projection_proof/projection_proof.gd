@@ -58,7 +58,7 @@ func show_state(stored: Dictionary) -> void:
 # What moves by itself, to hundredths.
 func _swing(seconds: float, first: Vec2) -> void:
 	var swung := first.copy()
-	swung.rotate_degrees(_SWING * sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST))
+	swung.rotate_degrees(_SWING * OpeningMotion.swing(seconds, _SWINGS))
 	_model.set_a(Vec2.new(snappedf(swung.x, 0.01), snappedf(swung.y, 0.01)))
 
 

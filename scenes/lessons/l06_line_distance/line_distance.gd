@@ -55,7 +55,7 @@ func start() -> void:
 
 # To hundredths, so that the numbers beside it stay short.
 func _slide_p(seconds: float, first: float) -> void:
-	var share := sin(TAU * _SLIDES * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.swing(seconds, _SLIDES)
 	_model.from_share = first + snappedf(_SLIDE * share, 0.01)
 
 

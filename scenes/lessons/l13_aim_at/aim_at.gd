@@ -54,7 +54,7 @@ func start() -> void:
 # What moves by itself: the hull swings, and the barrel with it. To hundredths, so that the numbers
 # beside it stay short.
 func _swing(seconds: float, first: float) -> void:
-	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.swing(seconds, _SWINGS)
 	_model.hull_degrees = AimAtModel.short(snappedf(first + _SWING * share, 0.01))
 
 

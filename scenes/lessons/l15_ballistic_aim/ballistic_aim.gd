@@ -10,9 +10,6 @@ const _SWING := 0.5
 const _PAUSE := 0.4
 # Speeds and gravity are dragged in steps of this, in px/s and px/s².
 const _STEP := 10.0
-# What is farther away than so many times the target, or this many pixels, is not kept in view.
-const _FARTHEST := 1.6
-const _NEAREST := 60.0
 
 var _model := BallisticAimModel.new()
 var _formula: BallisticAimFormula
@@ -34,12 +31,12 @@ func start() -> void:
 	_drag_speed(_speed_head.at())
 	_drag_gravity(_gravity_head.at())
 	_drag_velocity(_velocity_head.at())
-	_let_drag(_target, _drag_target)
-	_let_drag(_speed_head, _drag_speed)
-	_let_drag(_gravity_head, _drag_gravity)
-	_let_drag(_velocity_head, _drag_velocity)
+	on_handle(_target, _drag_target)
+	on_handle(_speed_head, _drag_speed)
+	on_handle(_gravity_head, _drag_gravity)
+	on_handle(_velocity_head, _drag_velocity)
 	_fill_panel()
-	begin(_model, _show, _spanned_points)
+	begin(_model, _show, _points)
 	open_with(_swing.bind(_model.target.copy()))
 
 
@@ -61,14 +58,10 @@ func _fill_panel() -> void:
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 
 
-func _let_drag(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
-
-
 # What moves by itself: the target goes up and down, and one straight shot after another comes too
 # low.
 func _swing(seconds: float, first: Vec2) -> void:
-	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.to_and_fro(seconds, _SWINGS)
 	_model.target = Vec2.new(first.x, roundf(first.y - _SWING * first.length() * share))
 	_model.time = fmod(seconds, _model.end(_step()) + _PAUSE)
 
@@ -121,23 +114,8 @@ func _fly(seconds: float) -> void:
 # What the student sees.
 
 
-func _spanned_points() -> Array[Vec2]:
-	var seconds := BallisticAimModel.ARROW_SECONDS
-	var points: Array[Vec2] = [_model.target]
-	var others: Array[Vec2] = [
-		_model.pull().scaled(seconds),
-		_model.target.plus(Vec2.new(0.0, _model.fall_after(_model.straight_time()))),
-	]
-	if _model.moves:
-		others.append(_model.target.plus(_model.velocity.scaled(seconds)))
-	if _model.has_shot() and _step() >= BallisticAimModel.Step.ARCS:
-		others.append(_model.aim_point(_model.shot()))
-		others.append_array(_model.shots().map(func(shot: Aim) -> Vec2: return shot.target))
-	var most := maxf(_NEAREST, _FARTHEST * _model.target.length())
-	for other in others:
-		other.limit_length(most)
-		points.append(other)
-	return points
+func _points() -> Array[Vec2]:
+	return _drawing.points_to_show(_model, _step())
 
 
 func _show() -> void:

@@ -18,6 +18,9 @@ const _BULLET := 6.0
 const _TARGET := 11.0
 # Of the parabola so much is drawn, in reaches on the level.
 const _ENVELOPE_REACH := 1.6
+# What is farther away than so many times the target, or this many pixels, is not kept in view.
+const _FARTHEST := 1.6
+const _NEAREST := 60.0
 
 @onready var _arcs: Array[FlightPath] = [%Arc1, %Arc2, %Arc3, %Arc4]
 @onready var _straight: FlightPath = %Straight
@@ -50,6 +53,26 @@ func show_model(model: BallisticAimModel, step: BallisticAimModel.Step) -> void:
 	_lay_wrong(model, step)
 	show_flight(model, step)
 	_show_verdict(model, step)
+
+
+## What the board must hold, in units of the plane.
+func points_to_show(model: BallisticAimModel, step: BallisticAimModel.Step) -> Array[Vec2]:
+	var seconds := BallisticAimModel.ARROW_SECONDS
+	var points: Array[Vec2] = [model.target]
+	var others: Array[Vec2] = [
+		model.pull().scaled(seconds),
+		model.target.plus(Vec2.new(0.0, model.fall_after(model.straight_time()))),
+	]
+	if model.moves:
+		others.append(model.target.plus(model.velocity.scaled(seconds)))
+	if model.has_shot() and step >= BallisticAimModel.Step.ARCS:
+		others.append(model.aim_point(model.shot()))
+		others.append_array(model.shots().map(func(shot: Aim) -> Vec2: return shot.target))
+	var most := maxf(_NEAREST, _FARTHEST * model.target.length())
+	for other in others:
+		other.limit_length(most)
+		points.append(other)
+	return points
 
 
 ## Shows bullet and target where they are now.

@@ -81,7 +81,7 @@ func _fill_panel() -> void:
 
 # To hundredths, so that the numbers beside it stay short.
 func _swing(seconds: float, first: Vec2) -> void:
-	var share := sin(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.swing(seconds, _SWINGS)
 	_model.board.target.x = snappedf(first.x + _SWING * share, 0.01)
 
 

@@ -9,10 +9,6 @@ const _SWINGS := 4.0
 const _SWING := 2.0
 # Velocities are dragged in steps of this, in px/s.
 const _STEP := 10.0
-# What lies farther away than so many times muzzle or target is not kept in view.
-const _FARTHEST := 1.2
-# Room below for the timeline, as a share of what is seen.
-const _BELOW := 1.55
 
 var _model := TimedShotModel.new()
 var _formula: TimedShotFormula
@@ -35,15 +31,15 @@ func start() -> void:
 	_model.target = _start.at()
 	_drag_velocity(_velocity_head.at())
 	_drag_centre(_centre.at())
-	_let_drag(_muzzle, _drag_muzzle)
-	_let_drag(_leaving_head, _drag_bullet)
-	_let_drag(_start, _drag_target)
-	_let_drag(_velocity_head, _drag_velocity)
-	_let_drag(_centre, _drag_centre)
+	on_handle(_muzzle, _drag_muzzle)
+	on_handle(_leaving_head, _drag_bullet)
+	on_handle(_start, _drag_target)
+	on_handle(_velocity_head, _drag_velocity)
+	on_handle(_centre, _drag_centre)
 	on_drag(_timeline.moment_wanted, _timeline.released, _take_moment)
 	add_child(CardPlace.new(_timeline, board, services[&"formula"]))
 	_fill_panel()
-	begin(_model, _show, _spanned_points)
+	begin(_model, _show, _points)
 	open_with(_swing.bind(_model.target.copy()))
 
 
@@ -63,13 +59,9 @@ func _fill_panel() -> void:
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 
 
-func _let_drag(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
-
-
 # What moves by itself: the target goes along its way and back.
 func _swing(seconds: float, first: Vec2) -> void:
-	var share := 0.5 - 0.5 * cos(TAU * _SWINGS * seconds / OpeningMotion.LONGEST)
+	var share := OpeningMotion.to_and_fro(seconds, _SWINGS)
 	var way := _model.velocity.scaled(_SWING * share)
 	_model.target = Vec2.new(roundf(first.x + way.x), roundf(first.y + way.y))
 
@@ -132,24 +124,8 @@ func _fly(seconds: float) -> void:
 # What the student sees.
 
 
-func _spanned_points() -> Array[Vec2]:
-	var points: Array[Vec2] = [_model.muzzle, _model.target]
-	var most := 1.0
-	for point in points:
-		most = maxf(most, _FARTHEST * point.length())
-	var others: Array[Vec2] = [_model.target_after(_model.own_fire)]
-	if _model.kind == TimedShotModel.Kind.CIRCLE:
-		var rho := _model.circle_radius()
-		others.append(_model.centre.plus(Vec2.new(rho, rho)))
-		others.append(_model.centre.minus(Vec2.new(rho, rho)))
-	elif _model.flight() > 0.0:
-		others.append(_model.crossing())
-	for other in others:
-		other.limit_length(most)
-		points.append(other)
-	for point: Vec2 in points.duplicate():
-		points.append(Vec2.new(0.0, _BELOW * point.y))
-	return points
+func _points() -> Array[Vec2]:
+	return _drawing.points_to_show(_model)
 
 
 func _show() -> void:

@@ -15,6 +15,10 @@ const _TARGET := 6.0
 # The timeline ends so much later than what happens, and is at least so long, in seconds.
 const _BEYOND := 1.25
 const _SHORTEST := 4.0
+# What lies farther away than so many times muzzle or target is not kept in view.
+const _FARTHEST := 1.2
+# Room below for the timeline, as a share of what is seen.
+const _BELOW := 1.55
 
 @onready var _way: FlightPath = %Way
 @onready var _bullet_way: FlightPath = %BulletWay
@@ -59,6 +63,27 @@ func show_motion(model: TimedShotModel, step: TimedShotModel.Step) -> void:
 	if _wrong_bullet.visible:
 		_lay_bullet(_wrong_bullet, model, model.wrong_fire(), now)
 	_timeline.show_now(now)
+
+
+## What the board must hold, in units of the plane.
+func points_to_show(model: TimedShotModel) -> Array[Vec2]:
+	var points: Array[Vec2] = [model.muzzle, model.target]
+	var most := 1.0
+	for point in points:
+		most = maxf(most, _FARTHEST * point.length())
+	var others: Array[Vec2] = [model.target_after(model.own_fire)]
+	if model.kind == TimedShotModel.Kind.CIRCLE:
+		var rho := model.circle_radius()
+		others.append(model.centre.plus(Vec2.new(rho, rho)))
+		others.append(model.centre.minus(Vec2.new(rho, rho)))
+	elif model.flight() > 0.0:
+		others.append(model.crossing())
+	for other in others:
+		other.limit_length(most)
+		points.append(other)
+	for point: Vec2 in points.duplicate():
+		points.append(Vec2.new(0.0, _BELOW * point.y))
+	return points
 
 
 # A bullet waits in the muzzle until it is fired.

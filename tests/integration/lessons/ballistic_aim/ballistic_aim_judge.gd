@@ -324,7 +324,7 @@ func _claims_of_card() -> Dictionary[String, bool]:
 		is_out and not _is_fixed() and is_straight and outruns,
 		"out of reach: no aim hits within 60 s": is_out and not _is_fixed(),
 		"miss ": _step == _FIRE and (not _can_be(0) or _is_uncertain()),
-		"rounding alone: up to ": _step == _FIRE,
+		"px; ε × condition": _step == _FIRE,
 		"the mistake changes nothing here": compares and (_can_hide() or _is_in_one_place()),
 		"the mistake takes the root of w < 0: NaN": compares and _mistake == _NOT_TESTED and is_out,
 		"the mistake finds no aim":
@@ -359,7 +359,7 @@ func _problem_of_numbers(lines: PackedStringArray) -> String:
 
 func _problem_of_miss(line: String) -> String:
 	var rounding := _rounding()
-	var shown := SeenLesson.number_behind("rounding alone: up to ", line)
+	var shown := SeenLesson.number_behind("; ε × condition ", line)
 	if not is_nan(shown) and not absf(shown - rounding) <= 0.1 * rounding:
 		return "rounding may move it by %s: “%s”" % [rounding, line]
 	shown = SeenLesson.number_behind("miss ", line)

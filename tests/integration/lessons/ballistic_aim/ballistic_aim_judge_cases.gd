@@ -19,31 +19,11 @@ const CASES: Array[Dictionary] = [
 		verdict_sign = ["✗", "2", "0", "1"],
 		verdict =
 		[
-			[
-				"miss 3e−14 px",
-				"rounding alone: up to 2.7e−13 px (ε × condition)",
-				"the mistake misses by 146 px"
-			],
-			[
-				"miss 3e−10 px",
-				"rounding alone: up to 2.7e−13 px (ε × condition)",
-				"the mistake misses by 146 px"
-			],
-			[
-				"miss 3e−14 px",
-				"rounding alone: up to 1.4e−13 px (ε × condition)",
-				"the mistake misses by 146 px"
-			],
-			[
-				"miss 3e−14 px",
-				"rounding alone: up to 2.7e−13 px (ε × condition)",
-				"the mistake misses by 123 px"
-			],
-			[
-				"miss 3e−14 px",
-				"rounding alone: up to 2.7e−13 px (ε × condition)",
-				"the mistake finds no aim"
-			],
+			["miss 3e−14 px; ε × condition 2.7e−13 px", "the mistake misses by 146 px"],
+			["miss 3e−10 px; ε × condition 2.7e−13 px", "the mistake misses by 146 px"],
+			["miss 3e−14 px; ε × condition 1.4e−13 px", "the mistake misses by 146 px"],
+			["miss 3e−14 px; ε × condition 2.7e−13 px", "the mistake misses by 123 px"],
+			["miss 3e−14 px; ε × condition 2.7e−13 px", "the mistake finds no aim"],
 			["out of reach: s must be at least 244.9", "the mistake misses by 146 px"],
 			["something new", "the mistake misses by 146 px"],
 		],

@@ -121,7 +121,7 @@ func test_a_mistake_is_shown_where_a_single_aim_is() -> void:
 
 func test_the_shot_is_fired_and_misses_by_rounding_alone() -> void:
 	await go_to_step(_STEPS.FIRE)
-	assert_reads("rounding alone: up to 2.7e−13 px (ε × condition)")
+	assert_reads("; ε × condition 2.7e−13 px")
 	assert_lt(_model().miss().distance, 1e-12)
 	await click_button("Play or pause")
 	var transport := frame().lesson.services[&"transport"] as Transport

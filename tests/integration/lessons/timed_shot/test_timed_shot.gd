@@ -113,7 +113,7 @@ func test_what_never_hits_says_why() -> void:
 
 func test_the_shot_is_fired_and_misses_by_rounding_alone() -> void:
 	await go_to_step(_STEPS.FIRE)
-	assert_reads("rounding alone: up to ")
+	assert_reads("; ε × condition ")
 	assert_lt(_model().miss().distance, 1e-12)
 	await click_button("Play or pause")
 	var transport := frame().lesson.services[&"transport"] as Transport

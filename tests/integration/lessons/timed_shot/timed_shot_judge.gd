@@ -230,7 +230,7 @@ func _claims_of_card() -> Dictionary[String, bool]:
 		"hits from ": _step == _WINDOW and _can_hit(),
 		"your shot at ": _step == _WINDOW and _can_hit(),
 		"miss ": _step == _FIRE and _can_hit(),
-		"rounding alone: up to ": _step == _FIRE and _can_hit(),
+		"px; ε × condition": _step == _FIRE and _can_hit(),
 		"the target rests: the moment does not matter": rests,
 		"both ways are parallel: they meet never, or always": is_line and _can_fail() and not rests,
 		"the bullet does not cross the way of the target":
@@ -331,8 +331,7 @@ func _problem_of_miss(lines: PackedStringArray) -> String:
 	for line in lines:
 		if line.begins_with("miss "):
 			miss = SeenLesson.number_behind("miss ", line)
-		if line.begins_with("rounding alone"):
-			rounding = SeenLesson.number_behind("rounding alone: up to ", line)
+			rounding = SeenLesson.number_behind("; ε × condition ", line)
 		var found := _problem_of_other_shot(line)
 		if found:
 			return found

@@ -110,9 +110,9 @@ const CASES: Array[Dictionary] = [
 		verdict_sign = ["!", "0", "✗"],
 		verdict =
 		[
-			["miss 0 px", "rounding alone: up to 3.4e−13 px (ε × condition)"],
-			["miss 1e−10 px", "rounding alone: up to 3.4e−13 px (ε × condition)"],
-			["miss 0 px", "rounding alone: up to 1e−10 px (ε × condition)"],
+			["miss 0 px; ε × condition 3.4e−13 px"],
+			["miss 1e−10 px; ε × condition 3.4e−13 px"],
+			["miss 0 px; ε × condition 1e−10 px"],
 		],
 		sentence =
 		[
