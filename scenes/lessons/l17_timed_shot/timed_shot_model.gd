@@ -375,7 +375,7 @@ func to_dictionary() -> Dictionary:
 
 
 func problem_in(stored: Dictionary) -> String:
-	return TimedShotCheck.problem_in(stored, Kind.size())
+	return TimedShotCheck.problem_in(stored, Kind.size(), Kind.CIRCLE)
 
 
 func from_dictionary(stored: Dictionary) -> void:
