@@ -103,7 +103,7 @@ const _BAD: Dictionary[String, Dictionary] = {
 	"timed_shot":
 	{
 		"bullet=0,0": "The bullet needs a speed of 1 px/s or more, not 0.",
-		"target=0,-50": "The circle needs a radius of 1 px or more, not 0.",
+		"kind=1&target=0,-50": "The circle needs a radius of 1 px or more, not 0.",
 		"circling=0": "circling must be within 1..720, not 0.",
 		"turning=721": "turning must be within −720..720, not 721.",
 		"fire=61": "fire must be within 0..60, not 61.",

@@ -27,10 +27,10 @@ var _readout: TimedShotReadout
 
 func start() -> void:
 	_model.muzzle = _muzzle.at()
-	_drag_bullet(_leaving_head.at())
 	_model.target = _start.at()
-	_drag_velocity(_velocity_head.at())
-	_drag_centre(_centre.at())
+	_model.centre = _centre.at()
+	_model.bullet = _velocity_to(_leaving_head.at(), _model.muzzle)
+	_model.velocity = _velocity_to(_velocity_head.at(), _model.target)
 	on_handle(_muzzle, _drag_muzzle)
 	on_handle(_leaving_head, _drag_bullet)
 	on_handle(_start, _drag_target)
@@ -69,33 +69,33 @@ func _swing(seconds: float, first: Vec2) -> void:
 # What the student does.
 
 
-func _drag_muzzle(to: Vec2) -> void:
-	_model.take({"muzzle": _pair(to)})
+func _drag_muzzle(to: Vec2) -> String:
+	return _model.take({"muzzle": _pair(to)})
 
 
-func _drag_bullet(head: Vec2) -> void:
-	_model.take({"bullet": _velocity_to(head, _model.muzzle)})
+func _drag_bullet(head: Vec2) -> String:
+	return _model.take({"bullet": _pair(_velocity_to(head, _model.muzzle))})
 
 
-func _drag_target(to: Vec2) -> void:
-	_model.take({"target": _pair(to)})
+func _drag_target(to: Vec2) -> String:
+	return _model.take({"target": _pair(to)})
 
 
-func _drag_velocity(head: Vec2) -> void:
-	_model.take({"velocity": _velocity_to(head, _model.target)})
+func _drag_velocity(head: Vec2) -> String:
+	return _model.take({"velocity": _pair(_velocity_to(head, _model.target))})
 
 
-func _drag_centre(to: Vec2) -> void:
-	_model.take({"centre": _pair(to)})
+func _drag_centre(to: Vec2) -> String:
+	return _model.take({"centre": _pair(to)})
 
 
 func _take_moment(seconds: float) -> void:
 	_model.own_fire = clampf(seconds, 0.0, TimedShotCheck.LONGEST)
 
 
-static func _velocity_to(head: Vec2, tail: Vec2) -> PackedFloat64Array:
+static func _velocity_to(head: Vec2, tail: Vec2) -> Vec2:
 	var wanted := head.minus(tail).divided(TimedShotModel.ARROW_SECONDS)
-	return [snappedf(wanted.x, _STEP), snappedf(wanted.y, _STEP)]
+	return Vec2.new(snappedf(wanted.x, _STEP), snappedf(wanted.y, _STEP))
 
 
 static func _pair(vector: Vec2) -> PackedFloat64Array:

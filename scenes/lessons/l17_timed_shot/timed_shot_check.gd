@@ -15,8 +15,8 @@ const LONGEST := 60.0
 
 
 ## "" if the lesson, which has [param kind_count] kinds of motion, can show [param stored]; else one
-## sentence with the value and what is allowed.
-static func problem_in(stored: Dictionary, kind_count: int) -> String:
+## sentence with the value and what is allowed. Only the kind [param circle] needs a circle.
+static func problem_in(stored: Dictionary, kind_count: int, circle: int) -> String:
 	var problems: PackedStringArray = []
 	for key: String in ["muzzle", "bullet", "target", "velocity", "centre"]:
 		var pair: PackedFloat64Array = stored[key]
@@ -39,7 +39,7 @@ static func problem_in(stored: Dictionary, kind_count: int) -> String:
 				StateCheck.within("turning", turning, -fastest, fastest),
 				StateCheck.within("circling", absf(circling), SLOWEST_TURN, fastest),
 				_size_problem("bullet", "", stored),
-				_size_problem("target", "centre", stored),
+				_size_problem("target", "centre", stored) if of_kind == circle else "",
 				StateCheck.mistake(mistake, TimedShotMistakes.infos()),
 			]
 		)

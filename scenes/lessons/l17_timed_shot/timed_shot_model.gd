@@ -175,16 +175,16 @@ func phase() -> float:
 
 
 ## The velocity of a bullet that is fired after so many seconds.
-func bullet_velocity(fire: float) -> Vec2:
+func bullet_velocity(fired: float) -> Vec2:
 	if kind != Kind.TURNING:
 		return bullet.copy()
-	var turned := bullet.angle_radians() + Vec2.deg_to_rad(turning) * fire
+	var turned := bullet.angle_radians() + Vec2.deg_to_rad(turning) * fired
 	return Vec2.unit_radians(turned).scaled(bullet.length())
 
 
-## Where a bullet is at the moment [param seconds] that was fired at [param fire].
-func bullet_after(seconds: float, fire: float) -> Vec2:
-	return muzzle.plus(bullet_velocity(fire).scaled(maxf(seconds - fire, 0.0)))
+## Where a bullet is at the moment [param seconds] that was fired at [param fired].
+func bullet_after(seconds: float, fired: float) -> Vec2:
+	return muzzle.plus(bullet_velocity(fired).scaled(maxf(seconds - fired, 0.0)))
 
 
 ## n, the normal of the target's velocity: across it the target does not move.
@@ -375,7 +375,7 @@ func to_dictionary() -> Dictionary:
 
 
 func problem_in(stored: Dictionary) -> String:
-	return TimedShotCheck.problem_in(stored, Kind.size())
+	return TimedShotCheck.problem_in(stored, Kind.size(), Kind.CIRCLE)
 
 
 func from_dictionary(stored: Dictionary) -> void:

@@ -106,10 +106,10 @@ func _shots(v: Pair, fall: float, own_fall: float, speed: float) -> Array[Way]:
 		var way := Pair.new(_p.x + v.x * time, _p.y + v.y * time + 0.5 * bend * time * time)
 		shot.dx = way.x / way.size()
 		shot.dy = way.y / way.size()
-		var is_same := (
+		var is_known := (
 			found and absf(shot.dx - found[-1].dx) + absf(shot.dy - found[-1].dy) < _SLACK
 		)
-		if not is_same or not _is_fixed():
+		if not is_known or not _is_fixed():
 			found.append(shot)
 	return found
 

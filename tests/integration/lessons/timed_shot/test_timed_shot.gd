@@ -59,6 +59,8 @@ func test_everything_can_be_dragged() -> void:
 	_assert_numbers("muzzle", [50, 100])
 	await student.press(&"lab_undo")
 	_assert_numbers("muzzle", [0, 100])
+	await _drag(Vec2.new(0, -100), Vec2.new(0, 100))
+	assert_reads("The bullet needs a speed of 1 px/s or more, not 0.")
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:

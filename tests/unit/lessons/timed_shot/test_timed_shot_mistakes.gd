@@ -6,7 +6,7 @@ func test_fired_when_it_is_in_front_it_misses() -> void:
 	var model := _model(TimedShotMistakes.IN_FRONT)
 	assert_almost_eq(model.wrong_fire(), 3.0, 1e-12)
 	assert_almost_eq(model.miss_at(model.wrong_fire()).distance, 89.4427191, 1e-6)
-	model.take(TimedShotModel.PRESETS["Turning barrel"])
+	assert_eq(model.take(TimedShotModel.PRESETS["Turning barrel"]), "")
 	assert_true(model.mistake_shows())
 	assert_gt(model.miss_at(model.wrong_fire()).distance, 10.0, "it points at the target itself")
 

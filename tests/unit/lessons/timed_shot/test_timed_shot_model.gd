@@ -99,8 +99,8 @@ func test_what_cannot_be_is_refused() -> void:
 	assert_string_contains(model.enter("tx", 1e5), "target must be within")
 	assert_string_contains(model.take({"fire": -1.0}), "fire must be within 0..60")
 	assert_string_contains(model.take({"kind": 3}), "kind must be within 0..2")
-	model.enter("tx", 0.0)
-	assert_string_contains(model.enter("ty", -50.0), "radius of 1 px or more, not 0")
+	assert_eq(model.take({"target": PackedFloat64Array([0.0, -50.0])}), "", "on a line")
+	assert_string_contains(model.take({"kind": 1}), "radius of 1 px or more, not 0")
 	assert_vec2(model.bullet, Vec2.new(0, -200), 0.0)
 
 
