@@ -41,7 +41,9 @@ func problem_of_shots(world: FuzzWorld) -> String:
 	var target := AimTarget.new(there.position, there.velocity, Vec2.zero(), radius_of(there))
 	var aim := LeadAim.first(shooter, target, speed)
 	if aim.hit and aim.time == 0.0:
-		return "" if shooter.distance_to(target.position) <= target.radius else "Nothing touches yet."
+		return (
+			"" if shooter.distance_to(target.position) <= target.radius else "Nothing touches yet."
+		)
 	var found := _earlier(shooter, target, speed, aim.time if aim.hit else _LONGEST)
 	if found or not aim.hit or aim.time * speed > _FARTHEST:
 		return found
