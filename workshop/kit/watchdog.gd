@@ -3,8 +3,9 @@ extends RefCounted
 ## Ends the child in which it lives when the student's code does not come to an end, or takes too
 ## much memory. It runs in a thread of its own, which goes on while the code loops.
 
-## Seconds for one exercise.
-const LONGEST := 2.5
+## Seconds for one exercise: a right answer takes less than a tenth of that, even where the machine
+## has other work to do.
+const LONGEST := 1.0
 ## Bytes that the code may take.
 const MOST_MEMORY := 400_000_000
 
