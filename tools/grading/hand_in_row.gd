@@ -7,7 +7,7 @@ const BY_HAND := "look by hand"
 # They would change what stands around them: ends of lines, codes of a terminal, marks that turn the
 # direction of reading.
 const _UNPLAIN := r"[\x00-\x1f\x7f-\x9f\x{200b}-\x{200f}\x{2028}-\x{202e}\x{2066}-\x{2069}\x{feff}]"
-# A spreadsheet would compute a cell that begins like this. A quotation mark before it prevents that.
+# A spreadsheet would compute a cell that begins like this, but not behind a quotation mark.
 const _FORMULA: PackedStringArray = ["=", "+", "-", "@", "'"]
 const _FIRST: PackedStringArray = ["hand-in", "mark", "right"]
 const _LAST: PackedStringArray = ["tests", "note", "same code as", "seconds", "code", "files"]

@@ -9,6 +9,9 @@ const LONGEST := 1.0
 ## Bytes that the code may take.
 const MOST_MEMORY := 400_000_000
 
+# Bytes that no code takes which only loops.
+const _MUCH_MEMORY := 50_000_000
+
 # Milliseconds from one look to the next. A longer way counts as no more than twice that: what stops
 # this thread as well, such as a machine that pauses, is not the student's doing.
 const _LOOK_EVERY := 10
@@ -59,10 +62,13 @@ func _watch() -> void:
 		var deadline := _deadline
 		if deadline < 0:
 			continue
-		if OS.get_static_memory_usage() - _memory_before > MOST_MEMORY:
+		var taken := OS.get_static_memory_usage() - _memory_before
+		if taken > MOST_MEMORY:
 			_end(WorkshopVerdict.Kind.MEMORY)
 		elif _clock > deadline:
-			_end(WorkshopVerdict.Kind.ENDLESS)
+			# A slow machine may not get as far as that.
+			var is_growing := taken > _MUCH_MEMORY
+			_end(WorkshopVerdict.Kind.MEMORY if is_growing else WorkshopVerdict.Kind.ENDLESS)
 
 
 func _end(kind: WorkshopVerdict.Kind) -> void:
