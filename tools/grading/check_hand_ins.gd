@@ -68,6 +68,8 @@ func _tell_end(names: PackedStringArray, seconds: float, into: String) -> void:
 
 
 func _have_reached(names: PackedStringArray, least: int) -> bool:
+	if least == WorkshopReport.Mark.NOT_YET:
+		return true
 	var marks: PackedStringArray = []
 	for mark: WorkshopReport.Mark in WorkshopReport.Mark.values():
 		marks.append(WorkshopReport.name_of(mark))

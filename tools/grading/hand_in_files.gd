@@ -110,8 +110,8 @@ func _chosen() -> Dictionary[String, String]:
 				places[name] = [path]
 			elif path.count("/") == before[0].count("/"):
 				places[name] = before + PackedStringArray([path])
-		elif _is_like_wanted(name):
-			problems.append("%s is not looked at, because of its name." % path)
+		elif _meant_by(name):
+			problems.append("%s is not looked at: its name must be %s." % [path, _meant_by(name)])
 	var found: Dictionary[String, String] = {}
 	for name in places:
 		if places[name].size() > 1:
@@ -148,7 +148,9 @@ static func _of_student(paths: PackedStringArray) -> PackedStringArray:
 			labs.append(path.trim_suffix(_MARK_OF_LAB))
 	var found: PackedStringArray = []
 	for path in paths:
-		var is_his := not ("/" + path).contains("/__MACOSX/") and not ("/" + path).contains("/.")
+		var is_his := not ("/" + path).contains("/__MACOSX/")
+		# Neither what is hidden, nor what a zip would put elsewhere.
+		is_his = is_his and not ("/" + path).contains("/.") and not path.begins_with("/")
 		for lab in labs:
 			if path.begins_with(lab):
 				is_his = is_his and path.get_base_dir() == lab + "workshop"
@@ -161,11 +163,14 @@ static func _is_wanted(name: String) -> bool:
 	return WorkshopFiles.CLASSES.has(name) or _name_of_test.search(name) != null
 
 
-# Such as My_Vec2.gd, my_vec2 (1).gd, my_vec2.gd.txt.
-static func _is_like_wanted(name: String) -> bool:
+# Such as my_vec2.gd for My_Vec2.gd, my_vec2 (1).gd, my_vec2.gd.txt; "" where none is meant.
+static func _meant_by(name: String) -> String:
 	var plain := name.to_lower().replace("_", "")
-	for file: String in WorkshopFiles.CLASSES:
-		var stem := file.get_basename().replace("_", "")
-		if plain.begins_with(stem) or plain.begins_with("test" + stem):
-			return plain.contains(".gd") and not plain.ends_with(".uid")
-	return false
+	if plain.contains(".gd") and not plain.ends_with(".uid"):
+		for file: String in WorkshopFiles.CLASSES:
+			var stem := file.get_basename().replace("_", "")
+			if plain.begins_with(stem):
+				return file
+			if plain.begins_with("test" + stem):
+				return "test_" + file
+	return ""
