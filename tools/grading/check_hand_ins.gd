@@ -62,7 +62,7 @@ func _wait_for_fewer_than(count: int) -> void:
 func _tell_end(names: PackedStringArray, seconds: float, into: String) -> void:
 	for row in _results.rows():
 		if row.same_as:
-			print("> %s: same code as %s" % [row.name, row.same_as])
+			print("> %s: same code as %s" % [row.name, row.same_shortly()])
 	var known := names.size() - _judged
 	print("> %d judged in %.1f s, %d known before: see %s" % [_judged, seconds, known, into])
 

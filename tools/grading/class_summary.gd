@@ -34,7 +34,7 @@ static func row_text(row: HandInRow) -> String:
 		cells.append(_SIGNS[word] if _SIGNS.has(word) else word.trim_prefix("mistake "))
 	var notes := row.note
 	if row.same_as:
-		notes = "Same code as %s. %s" % [row.same_as, notes]
+		notes = "Same code as %s. %s" % [row.same_shortly(), notes]
 	cells.append_array([row.tests.get_slice(":", 0), _escaped(notes.strip_edges())])
 	return "| %s |" % " | ".join(cells)
 
@@ -110,7 +110,7 @@ static func _to_look_at(rows: Array[HandInRow]) -> String:
 		if not row.mark:
 			text += "- %s: not judged. %s\n" % [_escaped(row.name), _escaped(row.note)]
 		if row.same_as:
-			text += "- %s: same code as %s\n" % [_escaped(row.name), _escaped(row.same_as)]
+			text += "- %s: same code as %s\n" % [_escaped(row.name), _escaped(row.same_shortly())]
 	return "\nTo look at:\n\n" + text if text else ""
 
 

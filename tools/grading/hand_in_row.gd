@@ -12,6 +12,8 @@ const _FORMULA: PackedStringArray = ["=", "+", "-", "@", "'"]
 const _FIRST: PackedStringArray = ["hand-in", "mark", "right"]
 const _LAST: PackedStringArray = ["tests", "note", "same code as", "seconds", "code", "files"]
 
+const _MOST_NAMED := 3
+
 static var _unplain := RegEx.create_from_string(_UNPLAIN)
 
 ## The name of its folder or zip.
@@ -24,7 +26,7 @@ var cells: Dictionary[int, String] = {}
 var tests := ""
 ## What is wrong with the hand-in itself.
 var note := ""
-## The names of those that hold the same code.
+## The names of those that hold the same code, between semicolons.
 var same_as := ""
 ## How long it took.
 var seconds := 0.0
@@ -101,6 +103,14 @@ func cell(exercise: int) -> String:
 ## The word at the begin of the cell of an exercise, such as `right` or `mistake 10`.
 func word(exercise: int) -> String:
 	return cell(exercise).get_slice(":", 0)
+
+
+## The names of the first of those that hold the same code, and how many there are besides.
+func same_shortly() -> String:
+	var names := same_as.split("; ", false)
+	var more := names.size() - _MOST_NAMED
+	var told := ", ".join(names.slice(0, _MOST_NAMED))
+	return told + " and %d more" % more if more > 0 else told
 
 
 ## What the terminal shows.

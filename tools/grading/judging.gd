@@ -57,10 +57,7 @@ func look() -> bool:
 		_start("tests")
 		return false
 	if _is_testing and not report.tests:
-		report.tests = WorkshopTestsVerdict.new()
-		report.tests.unreadable.append(
-			LabText.translate("Godot itself ended while it ran your tests.")
-		)
+		report.tests = WorkshopTestsVerdict.of_crash()
 	return true
 
 

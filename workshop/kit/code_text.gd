@@ -20,6 +20,10 @@ class Token:
 	func is_name() -> bool:
 		return text.is_valid_ascii_identifier()
 
+	## Whether it is a name that somebody has chosen.
+	func is_chosen() -> bool:
+		return is_name() and not text in _KEYWORDS
+
 
 ## More bytes than this are not looked at.
 const LARGEST := 100_000
@@ -93,7 +97,7 @@ func line_of(function: String) -> int:
 func shape_of(function: String) -> PackedStringArray:
 	var shape: PackedStringArray = []
 	for token in body_of(function):
-		shape.append("n" if token.is_name() and not token.text in _KEYWORDS else token.text)
+		shape.append("n" if token.is_chosen() else token.text)
 	return shape
 
 

@@ -169,5 +169,5 @@ func _tell(exercise: int, kind: WorkshopVerdict.Kind) -> void:
 	told.kind = kind
 	told.sentence = LabText.translate("Godot itself ended while it ran your code.")
 	if kind == WorkshopVerdict.Kind.WAITING:
-		told.sentence = LabText.translate("Two methods do not come to an end: mend them first.")
+		told.sentence = LabText.translate("Two methods had to be stopped: mend them first.")
 	verdicts[exercise] = told

@@ -1,8 +1,8 @@
 class_name WorkshopShape
 extends RefCounted
-## The shape of what a student has written, as a checksum: names, blanks, comments and the order of
-## the methods do not count, nor what is as in the starters. Two hand-ins with the same sum hold the
-## same code.
+## The shape of what a student has written, as a checksum: blanks, comments, the order of the
+## methods and how things are called do not count, nor what is as in the starters. Two hand-ins with
+## the same sum hold the same code.
 
 ## How many tokens it has: little code may be the same by chance.
 var tokens := 0
@@ -26,8 +26,15 @@ func _init(codes: Dictionary[String, WorkshopCode]) -> void:
 	sum = "\n".join(own).md5_text()
 
 
+# Each method with a number for each name: the first one in it, the second, and so on.
 static func _shapes_in(code: WorkshopCode) -> PackedStringArray:
 	var shapes: PackedStringArray = []
 	for function in code.functions():
-		shapes.append(" ".join(code.shape_of(function)))
+		var names: PackedStringArray = []
+		var shape: PackedStringArray = []
+		for token in code.body_of(function):
+			if token.is_chosen() and not token.text in names:
+				names.append(token.text)
+			shape.append("n%d" % names.find(token.text) if token.is_chosen() else token.text)
+		shapes.append(" ".join(shape))
 	return shapes
