@@ -20,10 +20,6 @@ class Token:
 	func is_name() -> bool:
 		return text.is_valid_ascii_identifier()
 
-	## Whether it is a name that somebody has chosen.
-	func is_chosen() -> bool:
-		return is_name() and not text in _KEYWORDS
-
 
 ## More bytes than this are not looked at.
 const LARGEST := 100_000
@@ -97,8 +93,16 @@ func line_of(function: String) -> int:
 func shape_of(function: String) -> PackedStringArray:
 	var shape: PackedStringArray = []
 	for token in body_of(function):
-		shape.append("n" if token.is_chosen() else token.text)
+		shape.append("n" if token.is_name() and not token.text in _KEYWORDS else token.text)
 	return shape
+
+
+## The tokens in the brackets of a function.
+func parameters_of(function: String) -> Array[Token]:
+	var brackets := WorkshopCode.new([])
+	var hit := RegEx.create_from_string(r"\bfunc\s+%s\s*\(([^)]*)\)" % function).search(text)
+	brackets.text = hit.get_string(1) if hit else ""
+	return brackets.tokens()
 
 
 ## The tokens in the body of a function.

@@ -26,15 +26,17 @@ func _init(codes: Dictionary[String, WorkshopCode]) -> void:
 	sum = "\n".join(own).md5_text()
 
 
-# Each method with a number for each name: the first one in it, the second, and so on.
+# Each method, its parameters before its body. What somebody may call otherwise is a number there:
+# the first such name is 0, the second 1, and so on.
 static func _shapes_in(code: WorkshopCode) -> PackedStringArray:
+	var declared := WorkshopAllowed.declared_in(code.tokens())
 	var shapes: PackedStringArray = []
 	for function in code.functions():
 		var names: PackedStringArray = []
 		var shape: PackedStringArray = []
-		for token in code.body_of(function):
-			if token.is_chosen() and not token.text in names:
+		for token in code.parameters_of(function) + code.body_of(function):
+			if declared.has(token.text) and not token.text in names:
 				names.append(token.text)
-			shape.append("n%d" % names.find(token.text) if token.is_chosen() else token.text)
+			shape.append(str(names.find(token.text)) if declared.has(token.text) else token.text)
 		shapes.append(" ".join(shape))
 	return shapes
