@@ -27,9 +27,11 @@ func _init(codes: Dictionary[String, WorkshopCode]) -> void:
 
 
 # Each method, its parameters before its body. What somebody may call otherwise is a number there:
-# the first such name is 0, the second 1, and so on.
+# the first such name is 0, the second 1, and so on. The methods of the exercises have their names.
 static func _shapes_in(code: WorkshopCode) -> PackedStringArray:
 	var declared := WorkshopAllowed.declared_in(code.tokens())
+	for task in WorkshopIndex.tasks():
+		declared.erase(task.method)
 	var shapes: PackedStringArray = []
 	for function in code.functions():
 		var names: PackedStringArray = []
