@@ -145,8 +145,7 @@ func put(path: String, bytes: PackedByteArray) -> void:
 ## Writes a zip of these files.
 func zip(path: String, files: Dictionary[String, PackedByteArray]) -> void:
 	DirAccess.make_dir_recursive_absolute(_folder.path_join(path).get_base_dir())
-	var packer := ZIPPacker.new()
-	packer.open(_folder.path_join(path))
+	var packer := _packer(path)
 	for name in files:
 		packer.start_file(name)
 		packer.write_file(files[name])
@@ -156,14 +155,20 @@ func zip(path: String, files: Dictionary[String, PackedByteArray]) -> void:
 
 ## Writes a small zip whose one file is very large.
 func zip_bomb(path: String, megabytes: int) -> void:
-	var packer := ZIPPacker.new()
-	packer.open(_folder.path_join(path))
+	var packer := _packer(path)
 	packer.start_file("my_vec2.gd")
 	var chunk := "#".repeat(_BOMB_CHUNK).to_utf8_buffer()
 	for number in megabytes:
 		packer.write_file(chunk)
 	packer.close_file()
 	packer.close()
+
+
+func _packer(path: String) -> ZIPPacker:
+	var packer := ZIPPacker.new()
+	var problem := packer.open(_folder.path_join(path))
+	assert(problem == OK, "a zip can be written")
+	return packer
 
 
 func _read(path: String) -> PackedByteArray:

@@ -81,8 +81,8 @@ static func _mistakes(rows: Array[HandInRow]) -> String:
 		for number in row.cells:
 			if not row.word(number) in _NO_MISTAKES:
 				var is_of_file := row.word(number) in _OF_FILE
-				var text := _escaped(_without_place(row.cells[number]))
-				told_once["%s | %s" % ["" if is_of_file else str(number), text]] = true
+				var what := _escaped(_without_place(row.cells[number]))
+				told_once["%s | %s" % ["" if is_of_file else str(number), what]] = true
 		for told in told_once:
 			_count(counts, told)
 	if not counts:

@@ -96,7 +96,8 @@ static func _wrong_ways(tests: WorkshopTestsVerdict) -> int:
 
 func _sum(rules: String) -> String:
 	var hashing := HashingContext.new()
-	hashing.start(HashingContext.HASH_SHA256)
+	var problem := hashing.start(HashingContext.HASH_SHA256)
+	assert(problem == OK, "the engine knows SHA-256")
 	hashing.update((rules + row.note).to_utf8_buffer())
 	for name in _files.files:
 		hashing.update(("\n%s\n" % name).to_utf8_buffer())

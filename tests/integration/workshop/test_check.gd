@@ -24,9 +24,9 @@ func before_all() -> void:
 	hard.zip("zip_of_files.zip", HardHandIns.right_files(""))
 	hard.put("=1+1\n/My_Vec2.gd", HardHandIns.right())
 	hard.make_copies()
-	for name in _FROM_DATA:
-		var path := HandIns.FOLDER.path_join(name).path_join("my_vec2.gd")
-		hard.put(name + "/my_vec2.gd", FileAccess.get_file_as_bytes(path))
+	for hand_in in _FROM_DATA:
+		var path := HandIns.FOLDER.path_join(hand_in).path_join("my_vec2.gd")
+		hard.put(hand_in + "/my_vec2.gd", FileAccess.get_file_as_bytes(path))
 	hard.put(
 		"dot_minus/test_my_vec2.gd",
 		FileAccess.get_file_as_bytes("res://tests/data/hand_in_tests/my_vec2_test.gd")

@@ -22,13 +22,13 @@ func should_skip_script() -> bool:
 
 
 func test_right_ones_are_found_however_they_are_packed() -> void:
-	for name: String in [
+	for hand_in: String in [
 		"Jos\u00e9 de la Cruz_12345_assignsubmission_file_",
 		"Zip_12346_assignsubmission_file_",
 		"zip_of_files.zip",
 		"two_deep",
 	]:
-		_assert_is_right(_found(name), name)
+		_assert_is_right(_found(hand_in), hand_in)
 
 
 func test_of_a_whole_lab_only_what_the_student_has_written_counts() -> void:
@@ -64,33 +64,33 @@ func test_a_hostile_zip_gives_nothing() -> void:
 
 
 func test_no_more_of_a_file_is_read_than_the_judge_looks_at() -> void:
-	for name: String in ["zip_bomb.zip", "huge"]:
-		var bytes := _found(name).files["my_vec2.gd"]
-		assert_eq(bytes.size(), WorkshopCode.LARGEST + 1, name)
+	for hand_in: String in ["zip_bomb.zip", "huge"]:
+		var bytes := _found(hand_in).files["my_vec2.gd"]
+		assert_eq(bytes.size(), WorkshopCode.LARGEST + 1, hand_in)
 
 
 func test_no_link_is_followed_and_no_pipe_waited_for() -> void:
 	_assert_problem("link_out", "my_vec2.gd is a link", 1)
 	_assert_problem("link_to_folder", "It is a link")
 	_assert_problem("pipe", "my_vec2.gd cannot be read", 1)
-	var round := _found("link_round")
-	assert_eq(round.files.keys(), ["my_vec2.gd"])
-	assert_eq(round.problems, PackedStringArray())
+	var looped := _found("link_round")
+	assert_eq(looped.files.keys(), ["my_vec2.gd"])
+	assert_eq(looped.problems, PackedStringArray())
 
 
-func _found(name: String) -> HandInFiles:
-	return HandInFiles.new(ProjectSettings.globalize_path(_FOLDER.path_join(name)))
+func _found(hand_in: String) -> HandInFiles:
+	return HandInFiles.new(ProjectSettings.globalize_path(_FOLDER.path_join(hand_in)))
 
 
 func _assert_is_right(found: HandInFiles, text: String) -> void:
 	assert_eq(found.problems, PackedStringArray(), text)
 	var wanted := HardHandIns.right_files("")
 	assert_eq(found.files.size(), wanted.size(), text)
-	for name in found.files:
-		assert_eq(found.files[name], wanted[name], text)
+	for file in found.files:
+		assert_eq(found.files[file], wanted[file], text)
 
 
-func _assert_problem(name: String, words: String, files: int = 0) -> void:
-	var found := _found(name)
+func _assert_problem(hand_in: String, words: String, files: int = 0) -> void:
+	var found := _found(hand_in)
 	assert_string_contains(" ".join(found.problems), words)
-	assert_eq(found.files.size(), files, name)
+	assert_eq(found.files.size(), files, hand_in)
