@@ -24,6 +24,11 @@ func test_what_is_computed_counts() -> void:
 		assert_ne(_shape(other).sum, _shape(code).sum)
 
 
+func test_which_parameter_is_used_counts() -> void:
+	var code := _HEAD + "func own(width: float, height: float) -> float:\n\treturn width\n"
+	assert_ne(_shape(code.replace("return width", "return height")).sum, _shape(code).sum)
+
+
 func test_starters_have_no_shape_of_their_own() -> void:
 	var starter := _shape(WorkshopFiles.starter("my_vec2.gd"))
 	assert_eq(starter.tokens, 0)
