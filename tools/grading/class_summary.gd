@@ -61,16 +61,17 @@ static func _marks(rows: Array[HandInRow]) -> String:
 
 
 static func _exercises(rows: Array[HandInRow]) -> String:
-	var text := "\n| exercise | right | wrong | not begun |\n|---|---|---|---|\n"
+	var text := "\n| exercise | right | wrong | missing, waits | not begun |\n|---|---|---|---|---|\n"
 	for number in HandInRow.exercises():
 		var counts: Dictionary[String, int] = {}
 		for row in rows:
 			_count(counts, row.word(number))
 		var right: int = counts.get("right", 0)
 		var open: int = counts.get("open", 0)
-		var wrong: int = rows.size() - right - open - counts.get("", 0)
+		var missing: int = counts.get("missing", 0) + counts.get("waits", 0)
+		var wrong: int = rows.size() - right - open - missing - counts.get("", 0)
 		var title := WorkshopIndex.exercise(number).title
-		text += "| %d %s | %d | %d | %d |\n" % [number, title, right, wrong, open]
+		text += "| %d %s | %d | %d | %d | %d |\n" % [number, title, right, wrong, missing, open]
 	return text
 
 

@@ -80,6 +80,8 @@ func test_the_class_has_a_summary() -> void:
 	var text := FileAccess.get_file_as_string(_RESULTS.path_join("results.md"))
 	assert_string_contains(text, "| zip\\_of\\_files.zip | sufficient | 10 | ✓ |")
 	assert_string_contains(text, "8 hand-ins. ")
+	assert_string_contains(text, "\n| 3 The dot product | 3 | 4 | 0 | 0 |\n")
+	assert_string_contains(text, "\n| 5 Distance to a line | 1 | 0 | 6 | 0 |\n")
 	assert_string_contains(text, "\n| 1 | 3 | wrong: The two products are subtracted")
 	assert_string_contains(text, "- copied\\_engine: look by hand at 0, 1")
 
