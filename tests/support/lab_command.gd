@@ -17,10 +17,16 @@ static func is_possible() -> bool:
 static func run(
 	project: String, arguments: PackedStringArray, environment: PackedStringArray = []
 ) -> LabCommand:
+	var words: PackedStringArray = [ProjectSettings.globalize_path(project.path_join("lab"))]
+	return run_words(words + arguments, environment)
+
+
+## The same for a command that calls `./lab` itself.
+static func run_words(
+	command_words: PackedStringArray, environment: PackedStringArray = []
+) -> LabCommand:
 	var words: PackedStringArray = ["GODOT=" + OS.get_executable_path(), "GUT_REPO=" + _runner()]
-	words.append_array(environment)
-	words.append(ProjectSettings.globalize_path(project.path_join("lab")))
-	words.append_array(arguments)
+	words.append_array(environment + command_words)
 	var command := LabCommand.new()
 	var said := []
 	command.exit_code = OS.execute("env", words, said, true)

@@ -22,18 +22,15 @@ static func can_run() -> bool:
 
 
 ## Starts a child that judges what is in [param folder]. [param task] is `judge` or `tests`;
-## [param skipped] are numbers of exercises.
-func _init(task: String, folder: String, skipped: PackedInt32Array = []) -> void:
+## [param told] is what was found out before: no exercise is judged twice.
+func _init(task: String, folder: String, told := WorkshopReport.new()) -> void:
 	_key = "vec2lab_%08x" % randi()
-	var numbers: PackedStringArray = []
-	for number in skipped:
-		numbers.append(str(number))
 	var arguments: PackedStringArray = [
 		"--headless",
 		"--path",
 		ProjectSettings.globalize_path("res://"),
 		"--log-file",
-		OS.get_temp_dir().path_join("vec2_lab_worker.log"),
+		OS.get_user_data_dir().path_join("workshop_child.log"),
 		"-s",
 		_WORKER,
 		"--",
@@ -41,7 +38,8 @@ func _init(task: String, folder: String, skipped: PackedInt32Array = []) -> void
 		ProjectSettings.globalize_path(folder),
 		_key,
 		TranslationServer.get_locale(),
-		",".join(numbers),
+		",".join(told.verdicts.keys()),
+		",".join(told.stopped_methods()),
 	]
 	var pipes := OS.execute_with_pipe(OS.get_executable_path(), arguments, false)
 	if pipes:

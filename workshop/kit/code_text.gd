@@ -97,6 +97,14 @@ func shape_of(function: String) -> PackedStringArray:
 	return shape
 
 
+## The tokens in the brackets of a function.
+func parameters_of(function: String) -> Array[Token]:
+	var brackets := WorkshopCode.new([])
+	var hit := RegEx.create_from_string(r"\bfunc\s+%s\s*\(([^)]*)\)" % function).search(text)
+	brackets.text = hit.get_string(1) if hit else ""
+	return brackets.tokens()
+
+
 ## The tokens in the body of a function.
 func body_of(function: String) -> Array[Token]:
 	var body := WorkshopCode.new([])

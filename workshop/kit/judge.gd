@@ -14,10 +14,17 @@ var _errors: WorkshopHeardErrors
 var _watchdog: WorkshopWatchdog
 var _task_judge: WorkshopTaskJudge
 var _verdict_of_task: Dictionary[String, WorkshopVerdict] = {}
+var _stopped: PackedStringArray = []
+# Whether the files are compiled: even that may take too long.
+var _is_read := false
 
 
-## Prepares; [param errors] hears the engine already, and [param watchdog] watches.
-func _init(errors: WorkshopHeardErrors, watchdog: WorkshopWatchdog) -> void:
+## Prepares; [param errors] hears the engine already, and [param watchdog] watches. What calls one
+## of the methods in [param stopped] is not run: they have ended a child before.
+func _init(
+	errors: WorkshopHeardErrors, watchdog: WorkshopWatchdog, stopped: PackedStringArray
+) -> void:
+	_stopped = stopped
 	_errors = errors
 	_watchdog = watchdog
 	compiler = WorkshopCompiler.new(errors)
@@ -26,8 +33,10 @@ func _init(errors: WorkshopHeardErrors, watchdog: WorkshopWatchdog) -> void:
 ## Judges what is in these files, by their names, but for the exercises in [param skipped], which
 ## have their verdicts already.
 func judge(files: Dictionary[String, PackedByteArray], skipped: PackedInt32Array) -> void:
+	exercise_now = _first_but(skipped)
 	_watchdog.allow(WorkshopWatchdog.LONGEST)
 	compiler.compile(files)
+	_is_read = true
 	for exercise in WorkshopIndex.exercises():
 		exercise_now = exercise.number
 		if exercise.tasks and not exercise.number in skipped:
@@ -50,6 +59,9 @@ func verdict_at_the_end(kind: WorkshopVerdict.Kind) -> WorkshopVerdict:
 		if _task_judge.probe_now:
 			verdict.probe = _task_judge.probe_now.title
 			verdict.asked = _task_judge.probe_now.numbers
+	if not _is_read:
+		verdict.sentence = LabText.translate("Your files cannot be read in time.")
+		return verdict
 	if compiler.codes.has(verdict.file):
 		verdict.line = compiler.codes[verdict.file].line_of(verdict.method)
 	var sentence := LabText.translate("%s does not come to an end for %s.")
@@ -85,6 +97,9 @@ func _verdict_on_methods(exercise: WorkshopExercise, code: WorkshopCode) -> Work
 	var last: WorkshopVerdict
 	var costs: PackedFloat64Array = [0.0, 0.0, 0.0, 0.0]
 	for task in exercise.tasks:
+		for used in code.calls_in(task.method):
+			if used in _stopped:
+				return _verdict_on_waiting(task, used, code)
 		_task_judge = WorkshopTaskJudge.new(task, compiler, _errors)
 		last = _task_judge.judge(compiler.classes)
 		_verdict_of_task[task.method] = last
@@ -116,10 +131,30 @@ func _blame_what_it_uses(verdict: WorkshopVerdict, task: WorkshopTask, code: Wor
 	for used in code.calls_in(task.method):
 		var other: WorkshopVerdict = _verdict_of_task.get(used)
 		if other and used != task.method and not other.is_right():
-			verdict.kind = WorkshopVerdict.Kind.WAITING
-			verdict.mistake = 0
-			verdict.sentence = LabText.translate(
-				"%s uses %s, which is not right yet: mend that first."
-			)
-			verdict.sentence = verdict.sentence % [task.method, used]
+			_let_wait(verdict, task, used)
 			return
+
+
+# What uses a method that ended a child would only end this one, too.
+func _verdict_on_waiting(task: WorkshopTask, used: String, code: WorkshopCode) -> WorkshopVerdict:
+	var verdict := WorkshopVerdict.new()
+	verdict.method = task.method
+	verdict.file = WorkshopFiles.file_of(task.home)
+	verdict.line = code.line_of(task.method)
+	_let_wait(verdict, task, used)
+	_stopped.append(task.method)
+	return verdict
+
+
+static func _let_wait(verdict: WorkshopVerdict, task: WorkshopTask, used: String) -> void:
+	verdict.kind = WorkshopVerdict.Kind.WAITING
+	verdict.mistake = 0
+	verdict.sentence = LabText.translate("%s uses %s, which is not right yet: mend that first.")
+	verdict.sentence = verdict.sentence % [task.method, used]
+
+
+static func _first_but(skipped: PackedInt32Array) -> int:
+	for exercise in WorkshopIndex.exercises():
+		if exercise.tasks and not exercise.number in skipped:
+			return exercise.number
+	return 0

@@ -13,6 +13,12 @@ const GOOD: PackedInt32Array = [4, 5, 6, 7, 8, 10]
 const EXCELLENT: PackedInt32Array = [11, 13, 14, 15]
 ## The part of the mistakes that his tests must find for "good".
 const GOOD_SHARE := 0.8
+## After so many methods that ended their child nothing more is tried, because each takes its time.
+const MOST_STOPPED := 2
+# Kinds of verdicts on a method that ends its child.
+const _STOPPING: Array[WorkshopVerdict.Kind] = [
+	WorkshopVerdict.Kind.ENDLESS, WorkshopVerdict.Kind.MEMORY, WorkshopVerdict.Kind.CRASHED
+]
 # Kinds of verdicts with which a method can be asked: not where there is nothing to run, nor where
 # it would only end the child once more.
 const _ANSWERING: Array[WorkshopVerdict.Kind] = [
@@ -92,6 +98,26 @@ func leave_open() -> void:
 	is_complete = true
 
 
+## The methods that ended the child in which they ran.
+func stopped_methods() -> PackedStringArray:
+	var found: PackedStringArray = []
+	for number in _stopped_exercises():
+		if verdicts[number].method:
+			found.append(verdicts[number].method)
+	return found
+
+
+## A child has ended before all was judged; [param known] is how many verdicts there were when it
+## began, -1 for the first one. What is open after this is for another child, unless it is complete.
+func go_on_after_end(known: int) -> void:
+	if verdicts.size() == known and _next_unjudged() >= 0:
+		_tell(_next_unjudged(), WorkshopVerdict.Kind.CRASHED)
+	if _stopped_exercises().size() >= MOST_STOPPED:
+		while _next_unjudged() >= 0:
+			_tell(_next_unjudged(), WorkshopVerdict.Kind.WAITING)
+	is_complete = _next_unjudged() < 0
+
+
 ## All of it, for JSON.
 func to_dictionary() -> Dictionary:
 	var list := []
@@ -120,3 +146,28 @@ func _are_right(exercises: PackedInt32Array) -> bool:
 		if not is_right(exercise):
 			return false
 	return true
+
+
+func _stopped_exercises() -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for number in verdicts:
+		if verdicts[number].kind in _STOPPING:
+			found.append(number)
+	return found
+
+
+func _next_unjudged() -> int:
+	for exercise in WorkshopIndex.exercises():
+		if exercise.tasks and not verdicts.has(exercise.number):
+			return exercise.number
+	return -1
+
+
+func _tell(exercise: int, kind: WorkshopVerdict.Kind) -> void:
+	var told := WorkshopVerdict.new()
+	told.exercise = exercise
+	told.kind = kind
+	told.sentence = LabText.translate("Godot itself ended while it ran your code.")
+	if kind == WorkshopVerdict.Kind.WAITING:
+		told.sentence = LabText.translate("Two methods had to be stopped: mend them first.")
+	verdicts[exercise] = told

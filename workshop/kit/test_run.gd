@@ -7,6 +7,8 @@ const _GUT_ERRORS := "res://addons/gut/error_tracker.gd"
 const _STAND_IN := "res://addons/gut_standin/gut_main.gd"
 const _STAND_IN_OPTIONS := "res://addons/gut_standin/command_line.gd"
 
+static var _runner: GDScript
+
 ## What went wrong in each test, by its name; "" for one that is green.
 var failures: Dictionary[String, String] = {}
 ## The names of the tests without any assert.
@@ -16,6 +18,11 @@ var without_assert: PackedStringArray = []
 ## Whether GUT itself is installed.
 static func is_by_gut() -> bool:
 	return FileAccess.file_exists(_GUT)
+
+
+## Loads what runs the tests. That takes longer than the first test, and is not the student's time.
+static func load_runner() -> void:
+	_runner = load(_GUT if is_by_gut() else _STAND_IN)
 
 
 ## Runs all tests of the script at [param path]; wait for it.
@@ -30,7 +37,7 @@ func run(tree: SceneTree, path: String) -> void:
 
 
 func _run_by_gut(tree: SceneTree, path: String) -> Node:
-	var gut: Node = (load(_GUT) as GDScript).callv("new", [])
+	var gut: Node = _runner.callv("new", [])
 	gut.set("log_level", 0)
 	gut.set("_time_to_wait_for_final_queue_free", 0.0)
 	tree.root.add_child(gut)
@@ -42,7 +49,7 @@ func _run_by_gut(tree: SceneTree, path: String) -> Node:
 
 
 func _run_by_stand_in(tree: SceneTree, path: String) -> Node:
-	var runner: Node = (load(_STAND_IN) as GDScript).callv("new", [])
+	var runner: Node = _runner.callv("new", [])
 	var options: Object = (load(_STAND_IN_OPTIONS) as GDScript).callv("new", [])
 	var values: Dictionary = options.get("values")
 	values.merge({"dirs": [], "tests": [path], "pre_run_script": "", "post_run_script": ""}, true)

@@ -53,6 +53,13 @@ func to_dictionary() -> Dictionary:
 	return all
 
 
+## The verdict on tests with which the engine itself ended.
+static func of_crash() -> WorkshopTestsVerdict:
+	var verdict := WorkshopTestsVerdict.new()
+	verdict.unreadable.append(LabText.translate("Godot itself ended while it ran your tests."))
+	return verdict
+
+
 ## A verdict from what [method to_dictionary] made.
 static func from_dictionary(all: Dictionary) -> WorkshopTestsVerdict:
 	var verdict := WorkshopTestsVerdict.new()

@@ -3,10 +3,14 @@ extends RefCounted
 ## Ends the child in which it lives when the student's code does not come to an end, or takes too
 ## much memory. It runs in a thread of its own, which goes on while the code loops.
 
-## Seconds for one exercise.
-const LONGEST := 2.5
+## Seconds for one exercise: a right answer takes less than a tenth of that, even where the machine
+## has other work to do.
+const LONGEST := 1.0
 ## Bytes that the code may take.
 const MOST_MEMORY := 400_000_000
+
+# Bytes that no code takes which only loops.
+const _MUCH_MEMORY := 50_000_000
 
 # Milliseconds from one look to the next. A longer way counts as no more than twice that: what stops
 # this thread as well, such as a machine that pauses, is not the student's doing.
@@ -58,10 +62,13 @@ func _watch() -> void:
 		var deadline := _deadline
 		if deadline < 0:
 			continue
-		if OS.get_static_memory_usage() - _memory_before > MOST_MEMORY:
+		var taken := OS.get_static_memory_usage() - _memory_before
+		if taken > MOST_MEMORY:
 			_end(WorkshopVerdict.Kind.MEMORY)
 		elif _clock > deadline:
-			_end(WorkshopVerdict.Kind.ENDLESS)
+			# A slow machine may not get as far as that.
+			var is_growing := taken > _MUCH_MEMORY
+			_end(WorkshopVerdict.Kind.MEMORY if is_growing else WorkshopVerdict.Kind.ENDLESS)
 
 
 func _end(kind: WorkshopVerdict.Kind) -> void:

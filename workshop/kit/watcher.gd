@@ -128,13 +128,13 @@ func _begin_judging() -> void:
 		report.leave_open()
 		judged.emit(report)
 		return
-	_start_worker([])
+	_start_worker()
 	began.emit()
 
 
-func _start_worker(skipped: PackedInt32Array) -> void:
+func _start_worker() -> void:
 	_stop(_worker)
-	_worker = WorkshopChild.new("judge", folder, skipped)
+	_worker = WorkshopChild.new("judge", folder, report)
 	_worker_since = _now()
 
 
@@ -158,31 +158,11 @@ func _hear_worker() -> void:
 
 # The child has ended before it was through: the rest is judged by another one.
 func _go_on_without_it() -> void:
-	if report.verdicts.size() == _verdicts_before:
-		_tell_crash()
+	report.go_on_after_end(_verdicts_before)
 	_verdicts_before = report.verdicts.size()
-	if _next_unjudged() < 0:
-		report.is_complete = true
-		judged.emit(report)
-	else:
-		_start_worker(PackedInt32Array(report.verdicts.keys()))
-
-
-# Two children in a row have said nothing: the next exercise is what ends them.
-func _tell_crash() -> void:
-	var verdict := WorkshopVerdict.new()
-	verdict.exercise = _next_unjudged()
-	verdict.kind = WorkshopVerdict.Kind.CRASHED
-	verdict.sentence = LabText.translate("Godot itself ended while it ran your code.")
-	report.verdicts[verdict.exercise] = verdict
 	judged.emit(report)
-
-
-func _next_unjudged() -> int:
-	for exercise in WorkshopIndex.exercises():
-		if exercise.tasks and not report.verdicts.has(exercise.number):
-			return exercise.number
-	return -1
+	if not report.is_complete:
+		_start_worker()
 
 
 func _hear_tester() -> void:
@@ -203,7 +183,7 @@ func _send_pending() -> void:
 	if not report or not report.is_complete or _pending.is_empty():
 		return
 	if not _worker:
-		_start_worker(PackedInt32Array(report.verdicts.keys()))
+		_start_worker()
 		return
 	for request: Dictionary in _pending.values():
 		_worker.tell(request)

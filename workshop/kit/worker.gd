@@ -2,7 +2,7 @@ extends SceneTree
 ## The child process in which a student's code runs, and the only one. It judges what is in a
 ## folder, tells it line by line, and answers then what the lab asks. It ends when the lab does.
 ## Usage: godot --headless --path . -s workshop/kit/worker.gd -- judge|tests FOLDER KEY LANGUAGE
-## [SKIPPED]
+## SKIPPED STOPPED
 
 var _key := ""
 var _folder := ""
@@ -30,16 +30,17 @@ func _initialize() -> void:
 	if arguments[0] == "tests":
 		_judge_tests.call_deferred()
 	else:
-		_judge_all(arguments[4] if arguments.size() > 4 else "")
+		_judge_all(arguments[4], arguments[5].split(",", false))
 
 
-func _judge_all(skipped: String) -> void:
-	_judge = WorkshopJudge.new(_errors, _watchdog)
+func _judge_all(skipped: String, stopped: PackedStringArray) -> void:
+	_judge = WorkshopJudge.new(_errors, _watchdog, stopped)
 	var numbers: PackedInt32Array = []
 	for number in skipped.split(",", false):
 		numbers.append(number.to_int())
 	_judge.judge(_files(WorkshopFiles.of_student(_folder), false), numbers)
-	_say({"report": _judge.report.to_dictionary()})
+	var shape := WorkshopShape.new(_judge.compiler.codes)
+	_say({"report": _judge.report.to_dictionary(), "tokens": shape.tokens, "shape": shape.sum})
 	while true:
 		_request_came.wait()
 		_answer(WorkshopAny.dictionary(JSON.parse_string(_next_request())))

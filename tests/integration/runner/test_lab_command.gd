@@ -16,6 +16,7 @@ func test_without_a_command_it_lists_the_commands() -> void:
 		"new_lesson",
 		"test",
 		"lint",
+		"check",
 		"report",
 		"stability",
 		"bench",

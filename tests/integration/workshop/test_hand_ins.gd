@@ -1,8 +1,8 @@
 extends LabTest
 ## What the judge says of hand-ins that are right, wrong, hostile and no code at all. All of them:
-## ./lab judge tests/data/hand_ins. Here a tenth, and one of each kind.
+## `./lab check tests/data/hand_ins --into build/check`. Here a tenth, and one of each kind.
 
-const HandIn := preload("res://tools/checks/hand_in.gd")
+const Judging := preload("res://tools/grading/judging.gd")
 const _ONE_IN := 12
 const _ALWAYS: PackedStringArray = [
 	"right_plain",
@@ -54,9 +54,9 @@ func _names() -> PackedStringArray:
 
 
 func _judge(hand_in_name: String) -> void:
-	var hand_in := HandIn.new(HandIns.FOLDER.path_join(hand_in_name))
-	hand_in.judge()
+	var judging := Judging.new(HandIns.FOLDER.path_join(hand_in_name))
+	judging.judge()
 	for row: HandIns.Expected in HandIns.expected():
 		if row.hand_in == hand_in_name:
-			var verdict := hand_in.report.verdict(row.exercise)
+			var verdict := judging.report.verdict(row.exercise)
 			assert_eq(HandIns.difference(row, verdict), "")

@@ -2,7 +2,7 @@ extends LabTest
 ## What the judge says of a student's own tests: what they find, what cannot fail, what is red on
 ## the right class.
 
-const HandIn := preload("res://tools/checks/hand_in.gd")
+const Judging := preload("res://tools/grading/judging.gd")
 # Under another name than that of a test: else it would run as one of ours.
 const _TESTS := "res://tests/data/hand_in_tests/my_vec2_test.gd"
 const _FOLDER := "user://hand_in_tests"
@@ -14,9 +14,9 @@ func before_each() -> void:
 
 
 func test_a_student_s_tests_are_told_what_they_are_worth() -> void:
-	var hand_in := HandIn.new(_FOLDER)
-	hand_in.judge()
-	var told := hand_in.report.tests
+	var judging := Judging.new(_FOLDER)
+	judging.judge()
+	var told := judging.report.tests
 	assert_not_null(told)
 	assert_true(told.is_complete)
 	assert_eq(told.is_by_gut, WorkshopTestRun.is_by_gut())
