@@ -12,6 +12,7 @@ extends BallSupport
 # Gravity, bounciness, friction, walls or segments may have been changed.
 func _take_settings() -> void:
 	_takes_short_ways = _is_weightless() and _friction == 0.0
+	_loses_speed = _bounciness < 1.0 or _friction > 0.0
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
 	if _friction > 0.0:
 		var gravity := Vec2.new(_gravity_x, _gravity_y)
@@ -64,7 +65,7 @@ func _happen(index: int) -> void:
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
-	if _bounciness < 1.0:
+	if _loses_speed:
 		# A touch that follows too many hurried ones counts as one of a pile-up. What can hardly rise
 		# any more stands still for a moment, so that gravity can take it out.
 		if _piles.is_hurried(index, surface, time - _start[index]):
@@ -167,7 +168,8 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	if pressure <= 0.0 and missing > 0.0:
 		_velocity_x[index] += missing * _normal_x
 		_velocity_y[index] += missing * _normal_y
-	_rub(index, approach + speed)
+	if not _is_pile_up(index):
+		_rub(index, approach + speed)
 	return speed
 
 
@@ -411,7 +413,8 @@ func _exchange(one: int, other: int) -> void:
 	var velocity_y := _velocity_y[one] - _velocity_y[other]
 	var approach := -(velocity_x * _normal_x + velocity_y * _normal_y)
 	var speed := _bounciness * approach
-	if _is_pile_up(one) or _is_pile_up(other):
+	var is_pile_up := _is_pile_up(one) or _is_pile_up(other)
+	if is_pile_up:
 		speed = approach
 	_last_meeting[one] = time
 	_last_meeting[other] = time
@@ -434,7 +437,7 @@ func _exchange(one: int, other: int) -> void:
 	_velocity_y[one] += share * _mass[other] * _normal_y
 	_velocity_x[other] -= share * _mass[one] * _normal_x
 	_velocity_y[other] -= share * _mass[one] * _normal_y
-	if _friction > 0.0:
+	if _friction > 0.0 and not is_pile_up:
 		_spins.rub_balls(one, other, _normal_x, _normal_y, approach + speed)
 	_lasting_speed[one] = NAN
 	_lasting_speed[other] = NAN

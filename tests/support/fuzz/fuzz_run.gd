@@ -34,6 +34,7 @@ static func all_kinds() -> Array[FuzzKind]:
 		SteppedEditKind.new(),
 		FastPathKind.new(),
 		PileKind.new(),
+		FrictionKind.new(),
 	]
 
 

@@ -22,6 +22,7 @@ static func world_of(number: int) -> FuzzWorld:
 	maker._lay(number % Scene.size() as Scene)
 	maker._put_balls()
 	maker._change()
+	maker._rub()
 	return maker._made
 
 
@@ -94,6 +95,23 @@ func _change() -> void:
 		var edit := _some_edit(time)
 		edit.is_at_event = is_at_event
 		_made.edits.append(edit)
+
+
+# Some worlds have friction, which may change, too.
+func _rub() -> void:
+	if _rng.randf() < 0.6:
+		return
+	_made.friction = _some_friction()
+	for ball: Ball in _made.balls:
+		ball.spin = _rng.randf_range(-30.0, 30.0) if _rng.randf() < 0.5 else 0.0
+	for edit: FuzzEdit in _made.edits:
+		if edit.kind == FuzzEdit.Kind.BOUNCINESS:
+			edit.kind = FuzzEdit.Kind.FRICTION
+			edit.numbers[0] = _some_friction()
+
+
+func _some_friction() -> float:
+	return [0.0, 0.1, 0.5, _rng.randf_range(0.0, 2.0)][_rng.randi() % 4]
 
 
 func _some_edit(time: float) -> FuzzEdit:
