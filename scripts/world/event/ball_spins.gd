@@ -188,10 +188,16 @@ func spin_in_place(index: int, pressure: float) -> void:
 	slip_ends[index] = spin / -turning if turning != 0.0 else INF
 
 
-## What friction adds to the push of a surface on a ball that spins in its place, across and as a
-## share of this push: above 0 to the right of a normal that points up.
-func tilt(index: int) -> float:
-	return _friction * signf(_spin_of_flight(index))
+## How friction may tilt the pushes of two surfaces on a ball that spins in its place: see
+## [TwoSurfaces]. Where its edge is as slow as the root of [param slow], in (px/s)², it may be at
+## rest as well.
+func tilts(index: int, slow: float) -> PackedFloat64Array:
+	var spin := _spin_of_flight(index)
+	var tilt := _friction * signf(spin)
+	if tilt == 0.0:
+		return [0.0]
+	var edge := _radius[index] * spin
+	return [tilt, 0.0] if edge * edge <= slow else [tilt]
 
 
 func _go_on(index: int, line: Incline, rubs: float) -> void:

@@ -73,8 +73,11 @@ func _is_held_by_two(index: int) -> bool:
 
 # Whether a ball cannot rise by REST_HEIGHT.
 func _can_hardly_rise(index: int) -> bool:
-	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
-	return _squared_speed(index) <= 2.0 * gravity * REST_HEIGHT
+	return _squared_speed(index) <= _least_squared_speed()
+
+
+func _least_squared_speed() -> float:
+	return 2.0 * sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y) * REST_HEIGHT
 
 
 # Whether the ball touches this point, and the two normals enclose the direction against gravity. At
@@ -85,19 +88,15 @@ func _holds_at(index: int, point: Vec2) -> bool:
 	var distance := sqrt(dx * dx + dy * dy)
 	if distance > _radius[index] + REST_GAP or distance == 0.0:
 		return false
-	var area := _normal_x * dy - _normal_y * dx
-	if absf(area) <= LEAST_ANGLE * distance:
+	if absf(_normal_x * dy - _normal_y * dx) <= LEAST_ANGLE * distance:
 		return false
-	var tilt := _spins.tilt(index) if _friction > 0.0 else 0.0
-	var one_x := _normal_x - tilt * _normal_y
-	var one_y := _normal_y + tilt * _normal_x
-	var other_x := dx - tilt * dy
-	var other_y := dy + tilt * dx
-	# The direction against gravity is one_share of the first push and other_share of the second.
-	var one_share := (_gravity_y * other_x - _gravity_x * other_y) * area
-	var other_share := (one_y * _gravity_x - one_x * _gravity_y) * area
-	_pressure = (one_share + other_share * distance) / (area * area * (1.0 + tilt * tilt))
-	return one_share > 0.0 and other_share > 0.0
+	for tilt in _spins.tilts(index, _least_squared_speed()):
+		_pressure = TwoSurfaces.pressure(
+			_normal_x, _normal_y, dx, dy, distance, _gravity_x, _gravity_y, tilt
+		)
+		if _pressure >= 0.0:
+			return true
+	return false
 
 
 # The ball, which two surfaces hold, stays where it is until something else touches it. A spin that
