@@ -63,20 +63,21 @@ func names_ball() -> bool:
 
 ## "" if its numbers can be used, else why not.
 func problem() -> String:
+	var found := ""
 	match kind:
 		Kind.ADD_LINE, Kind.MOVE_LINE:
-			return FuzzWorld.line_of(numbers).problem(FuzzWorld.LARGEST)
+			found = FuzzWorld.line_of(numbers).problem(FuzzWorld.LARGEST)
 		Kind.ADD_BALL:
-			return FuzzWorld.ball_of(numbers).problem(FuzzWorld.LARGEST)
-		Kind.CHANGE_BALL:
-			return "" if numbers[2] > 0.0 else "A radius is multiplied by more than 0."
+			found = FuzzWorld.ball_of(numbers).problem(FuzzWorld.LARGEST)
+		Kind.CHANGE_BALL when not numbers[2] > 0.0:
+			found = "A radius is multiplied by more than 0."
 		Kind.BOUNCINESS:
-			return Bounce.problem_of_bounciness(numbers[0])
+			found = Bounce.problem_of_bounciness(numbers[0])
 		Kind.WALLS:
-			return WorldLimits.problem_of_walls(_vector(0), _vector(2))
+			found = WorldLimits.problem_of_walls(_vector(0), _vector(2))
 		Kind.FRICTION:
-			return Friction.problem_of(numbers[0], WorldLimits.MOST_FRICTION)
-	return ""
+			found = Friction.problem_of(numbers[0], WorldLimits.MOST_FRICTION)
+	return found
 
 
 ## Changes an event world now; "" or the refusal.
