@@ -97,21 +97,13 @@ func _change() -> void:
 		_made.edits.append(edit)
 
 
-# Some worlds have friction, which may change, too.
+# Where there is friction, it changes in place of C.
 func _rub() -> void:
-	if _rng.randf() < 0.6:
-		return
-	_made.friction = _some_friction()
-	for ball: Ball in _made.balls:
-		ball.spin = _rng.randf_range(-30.0, 30.0) if _rng.randf() < 0.5 else 0.0
+	FuzzKind.rub(_made, _rng)
 	for edit: FuzzEdit in _made.edits:
-		if edit.kind == FuzzEdit.Kind.BOUNCINESS:
+		if _made.friction > 0.0 and edit.kind == FuzzEdit.Kind.BOUNCINESS:
 			edit.kind = FuzzEdit.Kind.FRICTION
-			edit.numbers[0] = _some_friction()
-
-
-func _some_friction() -> float:
-	return [0.0, 0.1, 0.5, _rng.randf_range(0.0, 2.0)][_rng.randi() % 4]
+			edit.numbers[0] = [0.0, _rng.randf_range(0.0, 2.0)][_rng.randi() % 2]
 
 
 func _some_edit(time: float) -> FuzzEdit:

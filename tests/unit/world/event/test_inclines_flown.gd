@@ -3,23 +3,27 @@ extends LabTest
 ## reference table as [Incline].
 
 const _BAR := 4.0
+# Far from the origin a ball cannot be put exactly on a line: it first falls by up to 1e-7 px.
+const _FAR_BAR := 64.0
 
 var _table := MotionTable.new("incline")
 
 
 func test_every_row_is_flown_to_the_last_bits() -> void:
 	var worst := WorstErrors.new()
+	var worst_far := WorstErrors.new()
 	var wrong: PackedInt32Array = []
 	var flown := 0
 	for row: int in _table.size():
 		# The lines of the world do not move.
-		if _table.at(row, "belt") != 0.0:
-			continue
-		flown += 1
-		_fly(row, worst, wrong)
-	gut.p("worst errors of %d rows: %s" % [flown, worst])
+		if _table.at(row, "belt") == 0.0:
+			flown += 1
+			var is_far := _table.family(row) == "far-from-origin"
+			_fly(row, worst_far if is_far else worst, wrong)
+	gut.p("worst errors of %d rows: %s, %s" % [flown, worst, worst_far])
 	assert_eq(wrong, PackedInt32Array())
 	assert_all_at_most(worst.values(), _BAR, str(worst))
+	assert_all_at_most(worst_far.values(), _FAR_BAR, str(worst_far))
 
 
 func _fly(row: int, worst: WorstErrors, wrong: PackedInt32Array) -> void:
