@@ -168,7 +168,7 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	if pressure <= 0.0 and missing > 0.0:
 		_velocity_x[index] += missing * _normal_x
 		_velocity_y[index] += missing * _normal_y
-	if not _is_pile_up(index):
+	if _friction > 0.0 and not _is_pile_up(index):
 		_rub(index, approach + speed)
 	return speed
 

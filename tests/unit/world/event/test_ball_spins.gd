@@ -145,6 +145,29 @@ func test_a_ball_spins_in_a_corner_until_friction_has_stopped_it() -> void:
 	assert_almost_eq(world.angle(0), 450.0 / turning, 1e-11)
 
 
+# Friction alone would hold it there, in ever faster touches of both lines.
+func test_a_ball_that_is_driven_into_a_narrow_wedge_comes_out() -> void:
+	for bounciness: float in [0.0, 0.5, 1.0]:
+		for friction: float in [0.1, 0.5, 2.0]:
+			var lines: Array[Vector4] = [Vector4(0, 0, 500, 40), Vector4(0, 0, 500, -40)]
+			var ball := Ball.new(Vec2.new(300, 3), 10, Vec2.new(-200, 20), 1.0, 5.0)
+			var world := _world(lines, [ball], 0.0, friction, bounciness)
+			world.most_impacts_per_second = 5000
+			assert_no_refusal(world.advance(3.0))
+			assert_gt(world.velocity(0).x, 0.0, "C = %s, µ = %s" % [bounciness, friction])
+
+
+# With its last spin friction would take it off the wall, so slowly that no time passes.
+func test_a_ball_comes_to_rest_on_a_round_end_and_a_wall() -> void:
+	var ball := Ball.new(Vec2.new(10, 10), 4, Vec2.new(300, 0))
+	var world := _world([Vector4(0, 130, 294, 120)], [ball], 300.0, 1.0, 0.03)
+	assert_no_refusal(world.set_walls(Vec2.zero(), Vec2.new(300, 200)))
+	world.most_impacts_per_second = 1000
+	assert_no_refusal(world.advance(2.0))
+	assert_vec2(world.position(0), Vec2.new(296, 120.0 - sqrt(12.0)), 1e-6)
+	assert_eq([world.spin(0), world.next_event_time()], [0.0, INF])
+
+
 func test_without_friction_the_spin_changes_nothing_and_stays() -> void:
 	for gravity: float in [0.0, 500.0]:
 		var plain := EventWorlds.gas(20, 5)
