@@ -199,7 +199,6 @@ func _rest(index: int, surface: int, speed: float, pressure: float) -> void:
 	_velocity_y[index] += _pull_y[index] * seconds
 	_start[index] = time + seconds
 	_start_low[index] = _time_low
-	_rub(index, pressure * seconds)
 	_go_along(index, surface)
 	if event:
 		event.time = time + seconds

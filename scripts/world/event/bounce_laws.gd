@@ -12,7 +12,6 @@ extends BallSupport
 # Gravity, bounciness, friction, walls or segments may have been changed.
 func _take_settings() -> void:
 	_takes_short_ways = _is_weightless() and _friction == 0.0
-	_loses_speed = _bounciness < 1.0 or _friction > 0.0
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
 	if _friction > 0.0:
 		var gravity := Vec2.new(_gravity_x, _gravity_y)
@@ -65,7 +64,7 @@ func _happen(index: int) -> void:
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
-	if _loses_speed:
+	if _bounciness < 1.0:
 		# A touch that follows too many hurried ones counts as one of a pile-up. What can hardly rise
 		# any more stands still for a moment, so that gravity can take it out.
 		if _piles.is_hurried(index, surface, time - _start[index]):

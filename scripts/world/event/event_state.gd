@@ -102,8 +102,6 @@ var _bounciness := 1.0
 var _friction := 0.0
 # Whether there is neither gravity nor friction, so that the laws that are written out hold.
 var _takes_short_ways := true
-# Whether bounces lose speed, by C or friction.
-var _loses_speed := false
 
 #endregion
 

@@ -108,17 +108,20 @@ func test_a_ball_that_is_thrown_on_the_floor_rolls_at_two_thirds() -> void:
 
 
 func test_a_ball_rolls_over_a_seam_as_if_there_were_none() -> void:
-	var whole := _world([Vector4(0, 0, 960, 720)], [_above_slope()], 600.0, 0.5)
-	var lines: Array[Vector4] = [Vector4(0, 0, 32, 24), Vector4(96, 72, 32, 24)]
-	lines.append(Vector4(96, 72, 960, 720))
-	var cut := _world(lines, [_above_slope()], 600.0, 0.5)
-	cut.keeps_events = true
-	for world: EventWorld in [whole, cut]:
-		assert_no_refusal(world.advance(1.5))
-	assert_vec2(cut.position(0), whole.position(0), 1e-10)
-	assert_almost_eq(cut.spin(0), whole.spin(0), 1e-12)
-	assert_eq(cut.events.size(), 2, "it touches and lies")
-	assert_true(cut.is_rolling(0))
+	for pull: float in [600.0, 611.7, 333.3]:
+		var gravity := Vec2.new(0.1 * pull, pull)
+		var whole := EventWorlds.world([Vector4(0, 0, 960, 720)], [_above_slope()], gravity)
+		var lines: Array[Vector4] = [Vector4(0, 0, 32, 24), Vector4(96, 72, 32, 24)]
+		lines.append(Vector4(96, 72, 960, 720))
+		var cut := EventWorlds.world(lines, [_above_slope()], gravity)
+		cut.keeps_events = true
+		for world: EventWorld in [whole, cut]:
+			assert_no_refusal(world.set_friction(0.5))
+			assert_no_refusal(world.advance(1.5))
+		assert_vec2(cut.position(0), whole.position(0), 1e-10)
+		assert_almost_eq(cut.spin(0), whole.spin(0), 1e-12)
+		assert_eq(cut.events.size(), 2, "it touches and lies")
+		assert_true(cut.is_rolling(0))
 
 
 func test_on_a_round_end_there_is_no_friction() -> void:
@@ -223,9 +226,9 @@ func test_a_snapshot_holds_spin_and_slip() -> void:
 	var world := _world([_FLOOR], [ball], 600.0, 0.2)
 	assert_no_refusal(world.advance(0.3))
 	var kept := world.snapshot()
-	var wanted := _state_after(world, 2.0)
+	var wanted := [_state_after(world, 0.1), _state_after(world, 2.0)]
 	assert_no_refusal(world.restore(kept))
-	assert_eq(_state_after(world, 2.0), wanted)
+	assert_eq([_state_after(world, 0.1), _state_after(world, 2.0)], wanted)
 	assert_no_refusal(world.set_friction(0.3))
 	assert_string_contains(world.restore(kept), "was taken among other")
 
@@ -276,6 +279,39 @@ func test_balls_that_lie_in_a_pile_do_not_spin() -> void:
 	assert_eq(world.next_event_time(), INF)
 	for index: int in 6:
 		assert_eq(world.spin(index), 0.0)
+
+
+func test_a_ball_that_lies_in_a_pile_takes_a_slow_push_without_turning_and_rubs() -> void:
+	var balls: Array[Ball] = [
+		Ball.new(Vec2.new(10, -10), 10),
+		Ball.new(Vec2.new(30, -10), 10),
+		Ball.new(Vec2.new(60, -10), 10, Vec2.new(-3, 0), 1.0, -0.3),
+	]
+	# The second one presses the first one to the wall.
+	var world := EventWorlds.world([], balls, Vec2.new(-1, 500), 0.5)
+	assert_no_refusal(world.set_walls(Vec2.new(0, -300), Vec2.new(800, 0)))
+	assert_no_refusal(world.set_friction(0.4))
+	world.keeps_events = true
+	assert_no_refusal(world.advance(4.0))
+	var pushes := world.events.filter(
+		func(event: WorldEvent) -> bool:
+			return event.kind == WorldEvent.Kind.BALL and event.ball == 2
+	)
+	assert_gt(pushes.size(), 0)
+	var push: WorldEvent = pushes[0]
+	assert_ne(push.spin_after, push.spin_before)
+	assert_lt(push.velocity_after.y, 0.0)
+
+
+# The upper ball presses the lower one on the floor, by hops: so the floor brakes both.
+func test_the_floor_rubs_on_what_lies_on_it_with_all_that_it_bears() -> void:
+	var balls: Array[Ball] = [
+		Ball.new(Vec2.new(0, -10), 10, Vec2.new(300, 0)),
+		Ball.new(Vec2.new(0, -30), 10, Vec2.new(300, 0))
+	]
+	var world := _world([_FLOOR], balls, 500.0, 0.2)
+	assert_no_refusal(world.advance(0.1))
+	assert_almost_eq(_momentum(world).x, 600.0 - 0.2 * 1000.0 * 0.1, 3.0)
 
 
 func test_a_friction_that_cannot_be_is_refused() -> void:
