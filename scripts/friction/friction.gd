@@ -36,12 +36,12 @@ static func impulse(slip: float, push: float, friction: float) -> float:
 	return -signf(slip) * friction * push
 
 
-## "" if [param friction] can be used as µ; otherwise one sentence with the value and what is
-## allowed.
-static func problem_of(friction: float) -> String:
-	if friction >= 0.0 and friction <= LARGEST:
+## "" if [param friction] can be used as µ, which must be within 0..[param largest]; otherwise one
+## sentence with the value and what is allowed.
+static func problem_of(friction: float, largest: float = LARGEST) -> String:
+	if friction >= 0.0 and friction <= largest:
 		return ""
-	var limit := String.num_scientific(LARGEST)
+	var limit := String.num_scientific(largest)
 	return "The friction µ must be within 0..%s, not %s." % [limit, friction]
 
 

@@ -20,6 +20,8 @@ var pull := 0.0
 var pressure := 0.0
 ## The line's length in pixels.
 var length := 0.0
+## From start to end; length 1.
+var direction: Vec2
 ## 1.0 where a ball that rolls from start to end turns clockwise on screen, else -1.0.
 var side := 1.0
 
@@ -39,6 +41,7 @@ func _init(segment: LineSegment, gravity: Vec2, friction: float, belt: float = 0
 	_belt = belt
 	length = segment.length()
 	var along := segment.along()
+	direction = along.normalized()
 	var across := along.cross(gravity)
 	if length > 0.0:
 		pull = along.dot(gravity) / length
@@ -81,14 +84,38 @@ func run(radius: float, distance: float, speed: float, spin: float, longest: flo
 	var ball := InclineRun.new(distance, speed, spin)
 	if not _can_run(radius, distance, speed, spin, longest):
 		return ball
-	var rubs := slip(radius, speed, spin)
-	if rubs == 0.0 and can_hold():
-		_roll(ball, radius, longest)
-	else:
-		_rub(ball, radius, rubs, longest)
+	var first := phase(radius, slip(radius, speed, spin))
+	if first.rolls:
+		_begin_to_roll(ball)
+	if not _goes_on(ball, first, longest):
+		var last := phase(radius, 0.0)
+		ball.regime = InclineRun.Regime.SLIPS_BACK
+		if last.rolls:
+			_begin_to_roll(ball)
+		_goes_on(ball, last, longest)
 	var fast := ball.leaves != InclineRun.End.NONE and ball.speed * ball.speed > pressure * radius
 	ball.flies = fast
 	return ball
+
+
+## How a ball goes on whose lowest point rubs along the line with [param rubs] px/s. Where nothing
+## rubs, it rolls if friction can hold it: then a third of the pull goes into the spin. Else it
+## slips down.
+func phase(radius: float, rubs: float) -> InclinePhase:
+	var found := InclinePhase.new()
+	if rubs == 0.0 and can_hold():
+		found.rolls = true
+		found.acceleration = pull - pull / Friction.YIELD
+		found.turning = side * found.acceleration / radius
+		return found
+	var way := signf(rubs if rubs != 0.0 else pull)
+	found.acceleration = _slip_acceleration(way)
+	found.turning = _slip_spin(way, radius)
+	# How fast the slip becomes less.
+	var fades := Friction.YIELD * _friction * pressure - pull * way
+	if rubs != 0.0 and fades > 0.0:
+		found.lasts = absf(rubs) / fades
+	return found
 
 
 ## The same as a game computes it, in frames of [param frame] seconds: friction against the slip,
@@ -113,53 +140,34 @@ func run_by_frames(
 	return ball
 
 
-# The ball slips, until the slip is over or the run is.
-func _rub(ball: InclineRun, radius: float, rubs: float, longest: float) -> void:
-	var direction := signf(rubs if rubs != 0.0 else pull)
-	# How fast the slip becomes less.
-	var fades := Friction.YIELD * _friction * pressure - pull * direction
-	var lasts := absf(rubs) / fades if rubs != 0.0 and fades > 0.0 else INF
-	if _goes_on(ball, _slip_acceleration(direction), _slip_spin(direction, radius), lasts, longest):
-		return
-	if can_hold():
-		_roll(ball, radius, longest)
-		return
-	ball.regime = InclineRun.Regime.SLIPS_BACK
-	_goes_on(ball, _slip_acceleration(-direction), _slip_spin(-direction, radius), INF, longest)
-
-
-# Friction does not rub any more, but turns the ball: a third of the pull goes into the spin.
-func _roll(ball: InclineRun, radius: float, longest: float) -> void:
+func _begin_to_roll(ball: InclineRun) -> void:
 	ball.regime = InclineRun.Regime.ROLLS
 	ball.roll_time = ball.time
-	var acceleration := pull - pull / Friction.YIELD
-	_goes_on(ball, acceleration, side * acceleration / radius, INF, longest)
 
 
 # How the speed and the spin of a ball change that slips in this direction, 1.0 or -1.0.
-func _slip_acceleration(direction: float) -> float:
-	return pull - _friction * pressure * direction
+func _slip_acceleration(way: float) -> float:
+	return pull - _friction * pressure * way
 
 
-func _slip_spin(direction: float, radius: float) -> float:
-	return side * direction * _friction * pressure / (Disc.INERTIA * radius)
+func _slip_spin(way: float, radius: float) -> float:
+	return side * way * _friction * pressure / (Disc.INERTIA * radius)
 
 
 # Moves the ball for the time that this part of its way lasts. Whether the run is over then.
-func _goes_on(
-	ball: InclineRun, acceleration: float, turning: float, lasts: float, longest: float
-) -> bool:
+func _goes_on(ball: InclineRun, now: InclinePhase, longest: float) -> bool:
+	var acceleration := now.acceleration
 	var to_start := FreeFlight.time_to_fall(ball.distance, ball.speed, acceleration)
 	var to_end := FreeFlight.time_to_fall(length - ball.distance, -ball.speed, -acceleration)
 	var to_leave := minf(to_start, to_end)
 	var left := longest - ball.time
-	if to_leave <= minf(lasts, left):
-		ball.move(to_leave, acceleration, turning)
+	if to_leave <= minf(now.lasts, left):
+		ball.move(to_leave, acceleration, now.turning)
 		ball.leaves = InclineRun.End.START if to_start <= to_end else InclineRun.End.END
 		ball.distance = 0.0 if to_start <= to_end else length
 		return true
-	ball.move(minf(lasts, left), acceleration, turning)
-	return left <= lasts
+	ball.move(minf(now.lasts, left), acceleration, now.turning)
+	return left <= now.lasts
 
 
 func _can_run(radius: float, distance: float, speed: float, spin: float, longest: float) -> bool:

@@ -32,7 +32,8 @@ func test_random_worlds_of_each_kind_hold(
 			["chains_point_of_impact", 120],
 			["edits", 150],
 			["fast_paths", 250],
-			["piles", 40]
+			["piles", 40],
+			["friction", 200]
 		]
 	)
 ) -> void:

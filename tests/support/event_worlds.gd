@@ -50,10 +50,11 @@ static func deepest_overlap(made: EventWorld) -> float:
 	return deepest
 
 
-## Place and velocity of all balls, for comparisons to the last bit.
+## Place, velocity and spin of all balls, for comparisons to the last bit.
 static func numbers(made: EventWorld) -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	for index: int in made.ball_count():
 		var ball := made.ball(index)
 		found.append_array([ball.position.x, ball.position.y, ball.velocity.x, ball.velocity.y])
+		found.append(ball.spin)
 	return found

@@ -179,8 +179,9 @@ func takes_push(lying: int, other: int, normal_x: float, normal_y: float) -> boo
 
 
 ## Lets a ball bounce off one that lies and takes its push. Gravity presses it there with
-## [param pressure], in px/s²; for [param part] see [method hop_speed].
-func hop_off(index: int, normal_x: float, normal_y: float, pressure: float, part: float) -> void:
+## [param pressure], in px/s²; for [param part] see [method hop_speed]. Gives the push of the one
+## that lies, in px/s.
+func hop_off(index: int, normal_x: float, normal_y: float, pressure: float, part: float) -> float:
 	var x := _velocity_x[index]
 	var y := _velocity_y[index]
 	var approach := maxf(-(x * normal_x + y * normal_y), 0.0)
@@ -192,6 +193,7 @@ func hop_off(index: int, normal_x: float, normal_y: float, pressure: float, part
 	var is_moving := x * x + y * y > 0.0
 	_velocity_x[index] = x if is_moving else 0.0
 	_velocity_y[index] = y if is_moving else 0.0
+	return approach + speed
 
 
 ## Whether too many impacts have followed each other.

@@ -1,7 +1,8 @@
 class_name BallSupport
 extends EventForecast
 ## How a ball comes to rest under gravity, and how it moves while a surface supports it: it lies
-## still, slides along a line, over a seam between two lines, or over a cap. There is no friction.
+## still, slides or rolls along a line, over a seam between two lines, or slides over a cap, where
+## there is no friction.
 
 ## A ball whose remaining bounces on a line would all be over within this time, in seconds, lies on
 ## the line from the end of the last one: 2 v / (g (1 - C)) after the bounce that it leaves with the
@@ -41,10 +42,11 @@ func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> v
 func _slide_on(index: int, surface: int) -> void:
 	var event := _begin_event(index)
 	var speed_squared := _squared_speed(index)
-	_put_on(index, surface)
+	_lay_on(index, surface)
 	var lost := speed_squared - _squared_speed(index)
 	if _bounciness == 1.0 and lost <= LEAST_ANGLE * speed_squared:
 		_keep_speed(index, speed_squared)
+	_go_along(index, surface)
 	_end_event(index, surface, event, WorldEvent.Kind.REST)
 
 
@@ -71,42 +73,39 @@ func _is_held_by_two(index: int) -> bool:
 
 # Whether a ball cannot rise by REST_HEIGHT.
 func _can_hardly_rise(index: int) -> bool:
-	var gravity := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
-	return _squared_speed(index) <= 2.0 * gravity * REST_HEIGHT
+	return _squared_speed(index) <= _least_squared_speed()
 
 
-# Whether the ball touches this point, and the two normals enclose the direction against gravity.
+func _least_squared_speed() -> float:
+	return 2.0 * sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y) * REST_HEIGHT
+
+
+# Whether the ball touches this point, and the two normals enclose the direction against gravity. At
+# a ball that spins, friction tilts what both push with. Notes how strongly they push together.
 func _holds_at(index: int, point: Vec2) -> bool:
 	var dx := _x[index] - point.x
 	var dy := _y[index] - point.y
 	var distance := sqrt(dx * dx + dy * dy)
 	if distance > _radius[index] + REST_GAP or distance == 0.0:
 		return false
-	# The direction against gravity is one_share of the first normal and other_share of the second.
-	var area := _normal_x * dy - _normal_y * dx
-	var one_share := (_gravity_y * dx - _gravity_x * dy) * area
-	var other_share := (_normal_y * _gravity_x - _normal_x * _gravity_y) * area
-	return absf(area) > LEAST_ANGLE * distance and one_share > 0.0 and other_share > 0.0
+	if absf(_normal_x * dy - _normal_y * dx) <= LEAST_ANGLE * distance:
+		return false
+	for tilt in _spins.tilts(index, _least_squared_speed()):
+		_pressure = TwoSurfaces.pressure(
+			_normal_x, _normal_y, dx, dy, distance, _gravity_x, _gravity_y, tilt
+		)
+		if _pressure >= 0.0:
+			return true
+	return false
 
 
-# The nearest points of the walls and of all segments nearby.
-func _points_around(index: int) -> Array[Vec2]:
-	var x := position_x(index)
-	var y := position_y(index)
-	var points: Array[Vec2] = []
-	if _has_walls:
-		points = [Vec2.new(_left_x, y), Vec2.new(_right_x, y)]
-		points.append(Vec2.new(x, _top_y))
-		points.append(Vec2.new(x, _bottom_y))
-	for place in _segments.places_near(x, y, _radius[index]):
-		points.append(_segments.nearest_point(place, x, y))
-	return points
-
-
-# The ball stays where it is until something else touches it.
+# The ball, which two surfaces hold, stays where it is until something else touches it. A spin that
+# it has dies down by friction.
 func _lie_still(index: int, surface: int) -> void:
 	var event := _begin_event(index)
 	_lie_on(index, surface)
+	if _friction > 0.0:
+		_spins.spin_in_place(index, _pressure)
 	_end_event(index, surface, event, WorldEvent.Kind.REST)
 
 
@@ -131,6 +130,10 @@ func _calm(index: int) -> void:
 	_velocity_x[index] *= 0.5
 	_velocity_y[index] *= 0.5
 	_left_speed[index] *= 0.5
+	if _friction > 0.0:
+		_spins.halve(index)
+		if _support[index] != NOTHING:
+			_go_along(index, _support[index])
 
 
 # A ball, whose flight begins now, comes to lie until a push, with all that it touches.
@@ -162,6 +165,8 @@ func _lie_in_pile(index: int, until: float) -> void:
 	var event := _begin_event(index) if until == INF else null
 	_set_free(index)
 	_lie_on(index, ON_BALLS)
+	if _friction > 0.0:
+		_spins.lie(index)
 	_normal_x = 0.0
 	_normal_y = 0.0
 	_piles.lie_until(index, until)
@@ -187,21 +192,57 @@ func _rest(index: int, surface: int, speed: float, pressure: float) -> void:
 	if _bounciness < 1.0:
 		seconds = 2.0 * speed / (pressure * (1.0 - _bounciness))
 	var event := _begin_event(index)
-	_put_on(index, surface)
+	_lay_on(index, surface)
 	_x[index] += (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
 	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
 	_velocity_x[index] += _pull_x[index] * seconds
 	_velocity_y[index] += _pull_y[index] * seconds
 	_start[index] = time + seconds
 	_start_low[index] = _time_low
+	_go_along(index, surface)
 	if event:
 		event.time = time + seconds
 	_end_event(index, surface, event, WorldEvent.Kind.REST)
 
 
-# From now on the ball slides along a wall or the line of a segment, whose normal must be known: its
-# velocity and its acceleration have no part along the normal.
+# From now on the ball slides or rolls along a wall or the line of a segment, whose normal must be
+# known.
 func _put_on(index: int, surface: int) -> void:
+	_lay_on(index, surface)
+	_go_along(index, surface)
+
+
+# THE LAW OF FRICTION at a wall or a segment, whose normal must be known. It has pushed the ball
+# away with this impulse per mass, in px/s.
+func _rub(index: int, push: float) -> void:
+	if _friction > 0.0:
+		_spins.rub(index, _normal_x, _normal_y, push)
+		_lasting_speed[index] = NAN
+
+
+# THE LAW OF FRICTION along a line on which the ball lies: see Incline.
+func _go_along(index: int, surface: int) -> void:
+	if _friction > 0.0:
+		_spins.go_along(index, surface)
+
+
+# The ball does not slip any more: it rolls, or slips the other way, or spins no more in its place.
+func _end_slip(index: int) -> void:
+	_restart(index)
+	var surface := _support[index]
+	var event := _begin_event(index)
+	if _spins.regime(index) == BallSpins.Regime.SPINS:
+		_spins.lie(index)
+		_set_free(index)
+	else:
+		_find_normal(index, surface)
+		_lay_on(index, surface)
+		_spins.go_on_without_slip(index, surface)
+	_end_event(index, surface, event, WorldEvent.Kind.SLIP_ENDS)
+
+
+# Its velocity and its acceleration have no part along the normal any more.
+func _lay_on(index: int, surface: int) -> void:
 	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
 	var pressure := _gravity_x * _normal_x + _gravity_y * _normal_y
 	_velocity_x[index] -= speed * _normal_x
@@ -240,6 +281,8 @@ func _set_free(index: int) -> void:
 	_left_feature[index] = Impact.Feature.LINE
 	_pull_x[index] = _gravity_x
 	_pull_y[index] = _gravity_y
+	if _friction > 0.0:
+		_spins.fly(index)
 
 
 # The line under a sliding ball ends: another segment goes on there, or the ball slides over the cap
@@ -431,7 +474,8 @@ func _fly_off(index: int, place: int, feature: Impact.Feature) -> void:
 func _begin_event(index: int) -> WorldEvent:
 	if not keeps_events:
 		return null
-	return _log.begin(time, index, Vec2.new(_velocity_x[index], _velocity_y[index]))
+	var before := Vec2.new(_velocity_x[index], _velocity_y[index])
+	return _log.begin(time, index, before, spin(index))
 
 
 # Call it after the event has changed the ball. `other` is a surface, or a ball for Kind.BALL.
@@ -447,4 +491,5 @@ func _end_event(
 	var centre := Vec2.new(_x[index], _y[index])
 	var after := Vec2.new(_velocity_x[index], _velocity_y[index])
 	var normal := Vec2.new(_normal_x, _normal_y)
-	_log.finish(event, kind, other, normal, Ball.new(centre, _radius[index], after))
+	var ball_after := Ball.new(centre, _radius[index], after, _mass[index], spin(index))
+	_log.finish(event, kind, other, normal, ball_after)

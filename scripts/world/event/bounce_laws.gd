@@ -2,10 +2,22 @@ class_name BounceLaws
 extends BallSupport
 ## What an event does to the balls: the law of each kind of contact. A ball meets a line (a wall, or
 ## a segment between its ends) in _bounce_off_line, the cap of a segment in _bounce_off_cap, another
-## ball in _exchange. The first two share _reflect, the law of reflection.
+## ball in _exchange. The first two share _reflect, the law of reflection. The laws of friction are
+## in BallSpins.
 ##
 ## Some of the laws are written out once more for the commonest cases: _bounce_between_walls,
 ## _bounce_off_segment_fast and _collide_fast. Tests compare them to the last bit.
+
+
+# Gravity, bounciness, friction, walls or segments may have been changed.
+func _take_settings() -> void:
+	_takes_short_ways = _is_weightless() and _friction == 0.0
+	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
+	if _friction > 0.0:
+		var gravity := Vec2.new(_gravity_x, _gravity_y)
+		var low := Vec2.new(_left_x, _top_y)
+		var high := Vec2.new(_right_x, _bottom_y)
+		_spins.slopes.set_up(_segments, low, high, gravity, _friction)
 
 
 # Lets the event of this ball happen, which comes first of all. What is no impact counts for the
@@ -42,6 +54,10 @@ func _happen(index: int) -> void:
 		if not _settle(index):
 			_set_free(index)
 		_forecast(index)
+	elif kind == END_SLIP:
+		_counted_impacts -= 1
+		_end_slip(index)
+		_forecast(index)
 
 
 # A ball touches a wall or a segment.
@@ -57,12 +73,12 @@ func _bounce(index: int) -> void:
 				_velocity_x[index] = 0.0
 				_velocity_y[index] = 0.0
 	_restart(index)
-	if not keeps_events and _bounciness == 1.0 and surface >= 0 and _is_weightless():
+	if _takes_short_ways and not keeps_events and _bounciness == 1.0 and surface >= 0:
 		if _touched_feature[index] == Impact.Feature.LINE:
 			_bounce_off_segment_fast(index, surface)
 			return
 	var event := _begin_event(index)
-	if surface < NOTHING and _is_weightless():
+	if _takes_short_ways and surface < NOTHING:
 		_bounce_off_wall(index, surface, event)
 		return
 	_find_contact(index, surface)
@@ -99,8 +115,9 @@ func _bounce_off_line(index: int, surface: int, approach: float, event: WorldEve
 		_rest_if_over(index, surface, speed, pressure)
 
 
-# THE LAW FOR A WALL where there is no gravity: the ball is put exactly where it touches the wall,
-# and one of its two velocities turns round. So the other one loses nothing by rounding.
+# THE LAW FOR A WALL where there is no gravity and no friction: the ball is put exactly where it
+# touches the wall, and one of its two velocities turns round. So the other one loses nothing by
+# rounding.
 func _bounce_off_wall(index: int, wall: int, event: WorldEvent) -> void:
 	_find_normal(index, wall)
 	_move_to_wall(index, wall)
@@ -150,11 +167,13 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	if pressure <= 0.0 and missing > 0.0:
 		_velocity_x[index] += missing * _normal_x
 		_velocity_y[index] += missing * _normal_y
+	if _friction > 0.0 and not _is_pile_up(index):
+		_rub(index, approach + speed)
 	return speed
 
 
-# What _bounce_off_line does at the line of a segment for C = 1, without gravity and without events,
-# written out: without it a ball among 64 segments takes 1.2 times as long, among four 1.5 times.
+# What _bounce_off_line does at the line of a segment for C = 1, without gravity, friction and
+# events, written out: without it a ball among 64 segments takes 1.2 times as long, among four 1.5.
 func _bounce_off_segment_fast(index: int, place: int) -> void:
 	var normal_x := _segments.normal_x(place)
 	var normal_y := _segments.normal_y(place)
@@ -257,7 +276,7 @@ func _bounce_between_walls(index: int, target: float, target_low: float) -> void
 
 # Two balls meet.
 func _collide(one: int, other: int) -> void:
-	if _uses_cells and _bounciness == 1.0 and not keeps_events and _is_weightless():
+	if _takes_short_ways and _uses_cells and _bounciness == 1.0 and not keeps_events:
 		_collide_fast(one, other)
 	else:
 		_collide_by_laws(one, other)
@@ -280,7 +299,7 @@ func _collide_by_laws(one: int, other: int) -> void:
 	_forecast(other)
 
 
-# What _collide_by_laws does for two balls of a crowd, for C = 1, without gravity and without
+# What _collide_by_laws does for two balls of a crowd, for C = 1, without gravity, friction and
 # events, written out.
 func _collide_fast(one: int, other: int) -> void:
 	impacts += 1
@@ -368,7 +387,7 @@ func _is_borne(index: int, lying: int, side: float) -> bool:
 	var event := _begin_event(index)
 	var pressure := -(_pull_x[index] * _normal_x + _pull_y[index] * _normal_y)
 	var part := sqrt(_mass[lying] / (_mass[lying] + _mass[index]))
-	_piles.hop_off(index, _normal_x, _normal_y, pressure, part)
+	_rub(index, _piles.hop_off(index, _normal_x, _normal_y, pressure, part))
 	_last_meeting[index] = time
 	_end_event(index, lying, event, WorldEvent.Kind.BALL)
 	_leave_support(index)
@@ -393,7 +412,8 @@ func _exchange(one: int, other: int) -> void:
 	var velocity_y := _velocity_y[one] - _velocity_y[other]
 	var approach := -(velocity_x * _normal_x + velocity_y * _normal_y)
 	var speed := _bounciness * approach
-	if _is_pile_up(one) or _is_pile_up(other):
+	var is_pile_up := _is_pile_up(one) or _is_pile_up(other)
+	if is_pile_up:
 		speed = approach
 	_last_meeting[one] = time
 	_last_meeting[other] = time
@@ -416,6 +436,8 @@ func _exchange(one: int, other: int) -> void:
 	_velocity_y[one] += share * _mass[other] * _normal_y
 	_velocity_x[other] -= share * _mass[one] * _normal_x
 	_velocity_y[other] -= share * _mass[one] * _normal_y
+	if _friction > 0.0 and not is_pile_up:
+		_spins.rub_balls(one, other, _normal_x, _normal_y, approach + speed)
 	_lasting_speed[one] = NAN
 	_lasting_speed[other] = NAN
 
@@ -436,6 +458,7 @@ func _leave_support(index: int) -> void:
 	var is_slow := _bounciness < 1.0 and -speed <= 0.5 * pressure * BallPiles.LEAST_HOP
 	if _is_line(index, surface) and (speed == 0.0 or (speed < 0.0 and is_slow)):
 		# The line takes a push that is no stronger than a hop at once.
+		_rub(index, -speed)
 		_put_on(index, surface)
 		return
 	_set_free(index)

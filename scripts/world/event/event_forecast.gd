@@ -9,6 +9,9 @@ extends EventState
 ## away from a third ball; that one is told to look again at the time of the impact that it has
 ## lost. A ball with another event before a possible impact is no partner: it looks again then.
 
+# From this number of balls on, each looks for partners only around its own cell.
+const _MANY_BALLS := 16
+
 
 # Works out what comes next for a ball whose flight begins now.
 func _forecast(index: int) -> void:
@@ -228,9 +231,13 @@ func _forecast_touch(index: int) -> void:
 	if _pull_x[index] != 0.0 or _pull_y[index] != 0.0 or _support[index] >= 0:
 		_forecast_accelerated_touch(index)
 		return
-	if _support[index] == ON_BALLS:
-		_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
-		return
+	if _support[index] < NOTHING:
+		if _support[index] == ON_BALLS:
+			_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
+			return
+		if _spins.slip_ends[index] < INF:
+			_forecast_accelerated_touch(index)
+			return
 	var x := _x[index]
 	var y := _y[index]
 	var velocity_x := _velocity_x[index]
@@ -287,6 +294,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 	_seconds = INF
 	_surface = NOTHING
 	_kind = TOUCH
+	if _friction > 0.0 and _spins.slip_ends[index] < INF:
+		_take(_spins.slip_ends[index], _support[index], END_SLIP)
 	if _support[index] >= 0:
 		if _rolled_end[index] == Impact.Feature.LINE:
 			_forecast_slide(index, _support[index])
@@ -448,3 +457,31 @@ func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	var distance := sqrt(dx * dx + dy * dy)
 	_normal_x = dx / distance if distance > 0.0 else 0.0
 	_normal_y = dy / distance if distance > 0.0 else 0.0
+
+
+# The nearest points of the walls and of all segments nearby.
+func _points_around(index: int) -> Array[Vec2]:
+	var x := position_x(index)
+	var y := position_y(index)
+	var points: Array[Vec2] = []
+	if _has_walls:
+		points = [Vec2.new(_left_x, y), Vec2.new(_right_x, y)]
+		points.append(Vec2.new(x, _top_y))
+		points.append(Vec2.new(x, _bottom_y))
+	for place in _segments.places_near(x, y, _radius[index]):
+		points.append(_segments.nearest_point(place, x, y))
+	return points
+
+
+func _lay_out_cells() -> void:
+	_balls_there = _is_there.count(1)
+	_uses_cells = _balls_there >= _MANY_BALLS
+	_cross_time.fill(INF)
+	if _uses_cells:
+		var size := BallCells.size_for(positions(), _radius, _is_there)
+		# Removed balls count for nothing: the world is as one without them.
+		_cells.lay_out(size, _balls_there)
+		_cells.make_room(ball_count())
+		for index in ball_count():
+			if _is_there[index] == 1:
+				_cells.put(index, _x[index], _y[index])

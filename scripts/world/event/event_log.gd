@@ -8,12 +8,13 @@ var events: Array[WorldEvent] = []
 
 
 ## Notes that something happens to this ball at [param time] seconds, while it has this velocity in
-## pixels per second.
-func begin(time: float, ball: int, velocity: Vec2) -> WorldEvent:
+## pixels per second and this spin in radians per second.
+func begin(time: float, ball: int, velocity: Vec2, spin: float) -> WorldEvent:
 	var event := WorldEvent.new()
 	event.time = time
 	event.ball = ball
 	event.velocity_before = velocity
+	event.spin_before = spin
 	events.append(event)
 	return event
 
@@ -28,3 +29,4 @@ func finish(
 	event.normal = normal
 	event.point = ball_after.position.minus(normal.scaled(ball_after.radius))
 	event.velocity_after = ball_after.velocity
+	event.spin_after = ball_after.spin

@@ -16,13 +16,17 @@ extends RefCounted
 
 ## The surfaces that are no segments, whose places are 0 or more; the one that a ball in a pile has.
 enum {
-	ON_BALLS = BallPiles.ON_BALLS, LEFT_WALL = -5, RIGHT_WALL = -4, TOP_WALL = -3, BOTTOM_WALL = -2
+	ON_BALLS = BallPiles.ON_BALLS,
+	LEFT_WALL = Slopes.LEFT_WALL,
+	RIGHT_WALL = Slopes.RIGHT_WALL,
+	TOP_WALL = Slopes.TOP_WALL,
+	BOTTOM_WALL = Slopes.BOTTOM_WALL
 }
 
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
-## again, it slides to the end of the segment under it, a piece of its way over a cap is over, or it
-## has lain in a pile for a while.
-enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN }
+## again, it slides to the end of the segment under it, a piece of its way over a cap is over, it
+## has lain in a pile for a while, or it does not slip any more on what supports it.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP }
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
@@ -72,9 +76,10 @@ var _count_from := 0.0
 var _counted_impacts := 0
 # No event is earlier than this, in seconds; -INF where that has to be looked up.
 var _quiet_until := -INF
-# Whether balls, segments, walls, gravity or bounciness have been changed since time last passed.
+# Whether balls, segments, walls, gravity, bounciness or friction have been changed since time last
+# passed.
 var _has_changed := false
-# The number of changes of segments, walls, gravity and bounciness; a snapshot notes it.
+# The number of changes of segments, walls, gravity, bounciness and friction; a snapshot notes it.
 var _contents := 0
 
 #endregion
@@ -93,6 +98,10 @@ var _gravity_x := 0.0
 var _gravity_y := 0.0
 # The coefficient of restitution C, 0..1.
 var _bounciness := 1.0
+# The coefficient of friction µ, 0 or more.
+var _friction := 0.0
+# Whether there is neither gravity nor friction, so that the laws that are written out hold.
+var _takes_short_ways := true
 
 #endregion
 
@@ -102,7 +111,8 @@ var _bounciness := 1.0
 var _is_there: PackedByteArray = []
 # How many there are.
 var _balls_there := 0
-# Whether there is one, no segment and no gravity: it can meet only walls, in straight flight.
+# Whether there is one, and no segment, gravity or friction: it can meet only walls, in straight
+# flight, and keeps its spin.
 var _is_alone := false
 # Pixels.
 var _radius: PackedFloat64Array = []
@@ -169,6 +179,10 @@ var _last_meeting: PackedFloat64Array = []
 var _rolls := CapRolls.new()
 # Which balls lie in piles.
 var _piles := BallPiles.new(_is_there, _radius, _velocity_x, _velocity_y, _support)
+# How the balls turn.
+var _spins := BallSpins.new(
+	_radius, _mass, _velocity_x, _velocity_y, _pull_x, _pull_y, _start, _start_low
+)
 
 #endregion
 
@@ -210,6 +224,8 @@ var _log := EventLog.new()
 # The unit normal of the surface that is looked at, towards the ball.
 var _normal_x := 0.0
 var _normal_y := 0.0
+# How strongly two surfaces that hold a ball push it together, in px/s².
+var _pressure := 0.0
 # The search for a touch under a pull: the earliest one so far, in seconds of flight.
 var _seconds := INF
 var _surface := NOTHING
@@ -281,9 +297,19 @@ func velocity(index: int) -> Vec2:
 	)
 
 
+## How fast a ball turns now, in radians per second, clockwise on screen.
+func spin(index: int) -> float:
+	return _spins.spin_at(index, time, _time_low)
+
+
+## By how much a ball has turned since it was put into the world, in radians, clockwise on screen.
+func angle(index: int) -> float:
+	return _spins.angle_at(index, time, _time_low)
+
+
 ## A copy of a ball as it is now.
 func ball(index: int) -> Ball:
-	return Ball.new(position(index), _radius[index], velocity(index), _mass[index])
+	return Ball.new(position(index), _radius[index], velocity(index), _mass[index], spin(index))
 
 
 ## When a ball's present flight began, in seconds.
@@ -301,14 +327,15 @@ func position_at(index: int, seconds: float) -> Vec2:
 	)
 
 
-## The energy of all balls, m (v² / 2 - g · x), in px²/s² times mass.
+## The energy of all balls, m (v² / 2 + r² spin² / 4 - g · x), in px²/s² times mass.
 func energy() -> float:
 	var sum := 0.0
 	for index in ball_count():
 		if _is_there[index] == 1:
-			var speed_squared := velocity(index).length_squared()
+			var turned := _radius[index] * spin(index)
+			var squares := velocity(index).length_squared() + Disc.INERTIA * turned * turned
 			var height := _gravity_x * position_x(index) + _gravity_y * position_y(index)
-			sum += _mass[index] * (0.5 * speed_squared - height)
+			sum += _mass[index] * (0.5 * squares - height)
 	return sum
 
 
@@ -316,6 +343,12 @@ func energy() -> float:
 ## until time passes, be it 0 s.
 func is_resting(index: int) -> bool:
 	return not _has_changed and _support[index] != NOTHING and time >= _start[index]
+
+
+## Whether a ball rolls on a segment or a wall, or lies without turning, because friction holds it:
+## nothing slips. Without friction nothing rolls.
+func is_rolling(index: int) -> bool:
+	return is_resting(index) and _spins.regime(index) == BallSpins.Regime.ROLLS
 
 
 # Writes x and y of all balls' centres now into this array.
@@ -349,6 +382,7 @@ func _halt(index: int) -> void:
 	_rolled_end[index] = Impact.Feature.LINE
 	for motion: PackedFloat64Array in [_velocity_x, _velocity_y, _pull_x, _pull_y]:
 		motion[index] = 0.0
+	_spins.lie(index)
 	_lone_until = -INF
 
 
@@ -420,6 +454,7 @@ func _all_arrays() -> Array:
 	arrays.append_array(_int_arrays())
 	arrays.append_array(_rolls.arrays())
 	arrays.append_array(_piles.arrays())
+	arrays.append_array(_spins.arrays())
 	arrays.append_array(_cells.arrays())
 	return arrays
 

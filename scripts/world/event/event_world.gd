@@ -5,10 +5,10 @@ extends BounceLaws
 ## the frame, and is as exact for one long step as for many short ones.
 ##
 ## Segments work from both sides and have round ends, their caps; balls collide with each other; one
-## gravity and one bounciness hold for all. This file holds what a user of the world calls: putting
-## things in, changing and removing them while time goes on, letting time pass. After a change the
-## world is as one that is built now: all flights begin anew, what overlaps is pushed out. Where a
-## ball is now is answered by [EventState]; docs/event_world.md tells where each law is.
+## gravity, bounciness and friction holds for all. This file holds what a user of the world calls:
+## putting things in, changing and removing them while time goes on, letting time pass. After a
+## change the world is as one that is built now: all flights begin anew, what overlaps is pushed
+## out. Where a ball is now is answered by [EventState]; docs/event_world.md says where each law is.
 ##
 ## What cannot be taken is refused: each such method returns "" or one sentence with the value and
 ## what is allowed, and then nothing has changed.
@@ -16,9 +16,6 @@ extends BounceLaws
 ## Coordinates, speeds, sizes, masses and gravity stay within this, in pixels, seconds and their
 ## quotients.
 const LARGEST := WorldLimits.LARGEST
-
-# From this number of balls on, each looks for partners only around its own cell.
-const _MANY_BALLS := 16
 
 ## The moment at which the world stands, in seconds. To set it lets time pass as
 ## [method advance_to] does, and puts all centres into [member EventState.places]: what a game asks
@@ -76,6 +73,17 @@ func set_bounciness(bounciness: float) -> String:
 	if problem:
 		return problem
 	_bounciness = bounciness
+	_change_contents()
+	return ""
+
+
+## Takes this friction µ from now on, 0..1e6, along all that balls touch: see docs/friction.md.
+func set_friction(friction: float) -> String:
+	var problem := Friction.problem_of(friction, WorldLimits.MOST_FRICTION)
+	if problem:
+		return problem
+	_friction = friction
+	_spins.set_friction(friction, time, _time_low)
 	_change_contents()
 	return ""
 
@@ -147,6 +155,7 @@ func set_balls(new_balls: Array[Ball]) -> String:
 	_resize_places(new_balls.size())
 	for index in new_balls.size():
 		_put_ball(index, new_balls[index])
+		_spins.face(index, 0.0)
 	return ""
 
 
@@ -157,6 +166,7 @@ func add_ball(new_ball: Ball) -> String:
 	if not problem:
 		_resize_places(ball_count() + 1)
 		_put_ball(ball_count() - 1, new_ball)
+		_spins.face(ball_count() - 1, 0.0)
 	return problem
 
 
@@ -251,8 +261,8 @@ func snapshot() -> WorldSnapshot:
 	return kept
 
 
-## Puts back what [method snapshot] has kept, to the last bit. Segments, walls, gravity and
-## bounciness must be those of that time: else a sentence says so.
+## Puts back what [method snapshot] has kept, to the last bit. Segments, walls, gravity, bounciness
+## and friction must be those of that time: else a sentence says so.
 func restore(kept: WorldSnapshot) -> String:
 	if kept.contents != _contents:
 		return "The snapshot of %s s was taken among other segments, walls or pulls." % kept.time
@@ -267,7 +277,7 @@ func restore(kept: WorldSnapshot) -> String:
 	_places.resize(2 * ball_count())
 	_queue.resize(ball_count())
 	_balls_there = _is_there.count(1)
-	_is_alone = _balls_there == 1 and _segments.size() == 0 and _is_weightless()
+	_is_alone = _balls_there == 1 and _segments.size() == 0 and _takes_short_ways
 	_count_again()
 	_count_from = kept.count_from
 	_counted_impacts = kept.counted_impacts
@@ -280,7 +290,7 @@ func _change() -> void:
 	_count_again()
 
 
-# After a change of segments, walls, gravity or bounciness.
+# After a change of segments, walls, gravity, bounciness or friction.
 func _change_contents() -> void:
 	_contents += 1
 	_change()
@@ -296,6 +306,7 @@ func _resize_places(count: int) -> void:
 	_places.resize(2 * count)
 	_rolls.resize(count)
 	_piles.resize(count)
+	_spins.resize(count)
 	_queue.resize(count)
 	for index in range(old, count):
 		_is_there[index] = 0
@@ -313,6 +324,7 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_start[index] = time
 	_start_low[index] = _time_low
 	_set_free(index)
+	_spins.put(index, new_ball.spin)
 	_is_there[index] = 1
 	_change()
 
@@ -468,7 +480,7 @@ func _count_again() -> void:
 # All flights begin now, from places and velocities alone, as in a world that is built now.
 func _begin_anew() -> void:
 	_has_changed = false
-	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
+	_take_settings()
 	_count_again()
 	for index in ball_count():
 		if _is_there[index] == 1:
@@ -478,23 +490,9 @@ func _begin_anew() -> void:
 			_piles.forget(index, time)
 			_lasting_speed[index] = NAN
 	_lay_out_cells()
-	_is_alone = _balls_there == 1 and _segments.size() == 0 and _is_weightless()
+	_is_alone = _balls_there == 1 and _segments.size() == 0 and _takes_short_ways
 	for index in ball_count():
 		_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 	for index in ball_count():
 		if _is_there[index] == 1:
 			_forecast(index)
-
-
-func _lay_out_cells() -> void:
-	_balls_there = _is_there.count(1)
-	_uses_cells = _balls_there >= _MANY_BALLS
-	_cross_time.fill(INF)
-	if _uses_cells:
-		var size := BallCells.size_for(positions(), _radius, _is_there)
-		# Removed balls count for nothing: the world is as one without them.
-		_cells.lay_out(size, _balls_there)
-		_cells.make_room(ball_count())
-		for index in ball_count():
-			if _is_there[index] == 1:
-				_cells.put(index, _x[index], _y[index])

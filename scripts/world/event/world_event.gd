@@ -3,8 +3,9 @@ extends RefCounted
 ## One thing that happened to a ball in an [EventWorld].
 
 ## What a ball met, or did: it touched a segment, a wall or another ball, came to rest on what it
-## bounced on, or slid off the end of it.
-enum Kind { SEGMENT, WALL, BALL, REST, LEAVE }
+## bounced on, slid off the end of it, or does not slip on it any more: then it rolls, stands still,
+## or begins to slip the other way.
+enum Kind { SEGMENT, WALL, BALL, REST, LEAVE, SLIP_ENDS }
 
 ## When, in seconds of the world.
 var time := 0.0
@@ -23,3 +24,7 @@ var normal: Vec2
 var velocity_before: Vec2
 ## The ball's velocity after.
 var velocity_after: Vec2
+## The ball's spin before, in radians per second.
+var spin_before := 0.0
+## The ball's spin after.
+var spin_after := 0.0

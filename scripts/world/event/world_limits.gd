@@ -7,6 +7,8 @@ extends RefCounted
 ## Coordinates, speeds, sizes, masses, times and gravity stay within this, in pixels, seconds and
 ## their quotients.
 const LARGEST := 1e15
+## The largest friction µ.
+const MOST_FRICTION := 1e6
 
 
 ## An upright box, by its corners at the upper left and the lower right, in pixels.

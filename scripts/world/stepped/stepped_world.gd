@@ -92,9 +92,11 @@ func step(seconds: float) -> String:
 	return refusal
 
 
-## Sets position and velocity of one ball; a lost ball is back in play.
+## Sets position and velocity of one ball; its spin stays, and a lost ball is back in play.
 func change_ball(index: int, position: Vec2, velocity: Vec2) -> String:
-	var changed := Ball.new(position, balls[index].radius, velocity, balls[index].mass)
+	var changed := balls[index].copy()
+	changed.position = position.copy()
+	changed.velocity = velocity.copy()
 	var problem := _problem_of(changed)
 	if not problem:
 		bring_back(index, changed)

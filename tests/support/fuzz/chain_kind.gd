@@ -1,7 +1,7 @@
 class_name ChainKind
 extends FuzzKind
 ## A ball on a random chain of lines in the event world: time goes on, the ball is never inside a
-## line, and its energy never grows. It is kept while nothing is lost.
+## line, and its energy never grows. It is kept where nothing takes it.
 
 const _SAMPLES := 60
 
@@ -11,7 +11,9 @@ func _init() -> void:
 
 
 func world_of(number: int) -> FuzzWorld:
-	return RandomChain.world_of(number)
+	var made := RandomChain.world_of(number)
+	rub(made, random(-number))
+	return made
 
 
 func problem_of(world: FuzzWorld) -> String:
@@ -19,7 +21,7 @@ func problem_of(world: FuzzWorld) -> String:
 	if starts_inside(world, flight):
 		return ""
 	var energy := EnergyCheck.new()
-	energy.keeps_all = world.bounciness == 1.0
+	energy.keeps_all = world.bounciness == 1.0 and world.friction == 0.0
 	for sample: int in _SAMPLES + 1:
 		var found := flight.fly_to(world.seconds * sample / _SAMPLES)
 		# Hops of a perfectly elastic ball are a case for patience.

@@ -32,7 +32,7 @@ func problem(balls: Array[Ball], gravity: Vec2) -> String:
 	var moving := 0.0
 	var rounding := 0.0
 	for ball: Ball in balls:
-		var kinetic := 0.5 * ball.mass * ball.velocity.length_squared()
+		var kinetic := Disc.energy(ball)
 		energy += kinetic - ball.mass * gravity.dot(ball.position.minus(_origin))
 		moving += kinetic + ball.mass * pull * _FALL
 		rounding += ball.mass * pull * InsideCheck.last_places(ball.position)

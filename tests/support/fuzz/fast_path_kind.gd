@@ -28,6 +28,7 @@ func world_of(number: int) -> FuzzWorld:
 		made.lines.append(LineSegment.new(start, start.plus(along)))
 	for index: int in rng.randi_range(1, 5):
 		made.balls.append(_ball(made, rng))
+	rub(made, rng)
 	return made
 
 

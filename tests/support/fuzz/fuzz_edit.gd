@@ -14,7 +14,8 @@ enum Kind {
 	GRAVITY,
 	BOUNCINESS,
 	WALLS,
-	NO_WALLS
+	NO_WALLS,
+	FRICTION
 }
 
 ## What it is.
@@ -25,9 +26,9 @@ var time := 0.0
 var is_at_event := false
 ## Which line or ball is moved, changed or removed.
 var place := 0
-## A line: its ends. A new ball: place, radius, velocity and mass. A changed ball: how far it is
-## moved, by what its radius is multiplied, how its velocity is changed. Gravity, C, or both corners
-## of the walls.
+## A line: its ends. A new ball: place, radius, velocity, mass and spin. A changed ball: how far it
+## is moved, by what its radius is multiplied, how its velocity is changed. Gravity, C, µ, or both
+## corners of the walls.
 var numbers: PackedFloat64Array = []
 
 
@@ -62,18 +63,21 @@ func names_ball() -> bool:
 
 ## "" if its numbers can be used, else why not.
 func problem() -> String:
+	var found := ""
 	match kind:
 		Kind.ADD_LINE, Kind.MOVE_LINE:
-			return FuzzWorld.line_of(numbers).problem(FuzzWorld.LARGEST)
+			found = FuzzWorld.line_of(numbers).problem(FuzzWorld.LARGEST)
 		Kind.ADD_BALL:
-			return FuzzWorld.ball_of(numbers).problem(FuzzWorld.LARGEST)
-		Kind.CHANGE_BALL:
-			return "" if numbers[2] > 0.0 else "A radius is multiplied by more than 0."
+			found = FuzzWorld.ball_of(numbers).problem(FuzzWorld.LARGEST)
+		Kind.CHANGE_BALL when not numbers[2] > 0.0:
+			found = "A radius is multiplied by more than 0."
 		Kind.BOUNCINESS:
-			return Bounce.problem_of_bounciness(numbers[0])
+			found = Bounce.problem_of_bounciness(numbers[0])
 		Kind.WALLS:
-			return WorldLimits.problem_of_walls(_vector(0), _vector(2))
-	return ""
+			found = WorldLimits.problem_of_walls(_vector(0), _vector(2))
+		Kind.FRICTION:
+			found = Friction.problem_of(numbers[0], WorldLimits.MOST_FRICTION)
+	return found
 
 
 ## Changes an event world now; "" or the refusal.
@@ -102,6 +106,8 @@ func apply(world: EventWorld) -> String:
 			refusal = world.set_walls(_vector(0), _vector(2))
 		Kind.NO_WALLS:
 			world.remove_walls()
+		Kind.FRICTION:
+			refusal = world.set_friction(numbers[0])
 	return refusal
 
 
@@ -149,7 +155,7 @@ func _what() -> String:
 				FuzzWorld.list_text(numbers.slice(3))
 			]
 			return "%s: moved by %s, radius times %s, velocity plus %s" % parts
-		Kind.GRAVITY, Kind.BOUNCINESS:
+		Kind.GRAVITY, Kind.BOUNCINESS, Kind.FRICTION:
 			return "%s: %s" % [_name(), FuzzWorld.list_text(numbers)]
 	return _name()
 

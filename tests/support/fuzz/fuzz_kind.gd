@@ -35,6 +35,16 @@ static func random(number: int) -> RandomNumberGenerator:
 	return rng
 
 
+## Gives some worlds friction, and their balls spin. To be called last: what is drawn before stays
+## the same.
+static func rub(made: FuzzWorld, rng: RandomNumberGenerator) -> void:
+	if rng.randf() < 0.6:
+		return
+	made.friction = [0.1, 0.5, 1.0, rng.randf_range(0.0, 2.0)][rng.randi() % 4]
+	for ball: Ball in made.balls:
+		ball.spin = rng.randf_range(-30.0, 30.0) if rng.randf() < 0.5 else 0.0
+
+
 ## All balls of an event world as they are now.
 static func balls_of(world: WatchedWorld) -> Array[Ball]:
 	var found: Array[Ball] = []

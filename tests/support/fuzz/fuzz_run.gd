@@ -41,6 +41,7 @@ static func all_kinds() -> Array[FuzzKind]:
 		LineTimingKind.new(),
 		CircleTimingKind.new(),
 		TurningTimingKind.new(),
+		FrictionKind.new(),
 	]
 
 

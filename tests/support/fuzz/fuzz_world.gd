@@ -7,12 +7,14 @@ extends RefCounted
 const LARGEST := WorldLimits.LARGEST
 
 const _PER_LINE := 4
-const _PER_BALL := 6
+const _PER_BALL := 7
 
 ## px/s².
 var gravity := Vec2.zero()
 ## C, 0..1.
 var bounciness := 1.0
+## µ, 0 or more.
+var friction := 0.0
 ## The corners at the upper left and the lower right; empty where there are no walls.
 var walls: Array[Vec2] = []
 ## The lines at the start.
@@ -39,7 +41,7 @@ func copy() -> FuzzWorld:
 
 ## All numbers of the world in a fixed order, those of the edits included.
 func numbers() -> PackedFloat64Array:
-	var found: PackedFloat64Array = [seconds, gravity.x, gravity.y, bounciness]
+	var found: PackedFloat64Array = [seconds, gravity.x, gravity.y, bounciness, friction]
 	for corner: Vec2 in walls:
 		found.append_array([corner.x, corner.y])
 	for line: LineSegment in lines:
@@ -57,7 +59,8 @@ func put_numbers(new_numbers: PackedFloat64Array) -> void:
 	seconds = new_numbers[0]
 	gravity = Vec2.new(new_numbers[1], new_numbers[2])
 	bounciness = new_numbers[3]
-	var at := 4
+	friction = new_numbers[4]
+	var at := 5
 	for corner: int in walls.size():
 		walls[corner] = Vec2.new(new_numbers[at], new_numbers[at + 1])
 		at += 2
@@ -80,6 +83,7 @@ func problem() -> String:
 	var found := made.set_gravity(gravity)
 	for refusal: String in [
 		made.set_bounciness(bounciness),
+		made.set_friction(friction),
 		made.set_walls(walls[0], walls[1]) if walls else "",
 		made.set_segments(lines),
 		made.set_balls(balls),
@@ -97,6 +101,7 @@ func event_world(uses_grid: bool = true) -> WatchedWorld:
 	made.uses_grid = uses_grid
 	Refusal.push(made.set_gravity(gravity))
 	Refusal.push(made.set_bounciness(bounciness))
+	Refusal.push(made.set_friction(friction))
 	if walls:
 		Refusal.push(made.set_walls(walls[0], walls[1]))
 	Refusal.push(made.set_segments(lines))
@@ -119,6 +124,8 @@ func text() -> String:
 	var parts: PackedStringArray = [
 		"gravity %s, C = %s" % [list_text([gravity.x, gravity.y]), DecimalText.of(bounciness)]
 	]
+	if friction > 0.0:
+		parts[0] += ", µ = %s" % DecimalText.of(friction)
 	if walls:
 		var low := list_text([walls[0].x, walls[0].y])
 		parts.append("walls %s to %s" % [low, list_text([walls[1].x, walls[1].y])])
@@ -133,9 +140,10 @@ func text() -> String:
 
 
 ## The link that opens it in the lesson on angled lines; "" where none can show it: the lesson has
-## no walls, its balls do not meet, nothing changes it from outside, and its board ends somewhere.
+## no walls and no friction, its balls do not meet, nothing changes it from outside, and its board
+## ends somewhere.
 func link(method: SteppingMethods.Method = SteppingMethods.Method.EVENT_WORLD) -> String:
-	if walls or edits or balls.size() != 1:
+	if walls or edits or friction > 0.0 or balls.size() != 1:
 		return ""
 	var ball := numbers_of_ball(balls[0])
 	var in_play: PackedFloat64Array = [ball[0], ball[1], ball[3], ball[4]]
@@ -172,7 +180,7 @@ static func line_of(ends: PackedFloat64Array) -> LineSegment:
 	return LineSegment.new(Vec2.new(ends[0], ends[1]), Vec2.new(ends[2], ends[3]))
 
 
-## Place, radius, velocity and mass.
+## Place, radius, velocity, mass and spin.
 static func numbers_of_ball(ball: Ball) -> PackedFloat64Array:
 	return [
 		ball.position.x,
@@ -181,13 +189,14 @@ static func numbers_of_ball(ball: Ball) -> PackedFloat64Array:
 		ball.velocity.x,
 		ball.velocity.y,
 		ball.mass,
+		ball.spin,
 	]
 
 
-## The ball of six such numbers.
+## The ball of seven such numbers.
 static func ball_of(values: PackedFloat64Array) -> Ball:
 	var at := Vec2.new(values[0], values[1])
-	return Ball.new(at, values[2], Vec2.new(values[3], values[4]), values[5])
+	return Ball.new(at, values[2], Vec2.new(values[3], values[4]), values[5], values[6])
 
 
 ## Four numbers of a line as a text.
@@ -195,15 +204,16 @@ static func line_text(ends: PackedFloat64Array) -> String:
 	return "%s to %s" % [list_text(ends.slice(0, 2)), list_text(ends.slice(2))]
 
 
-## Six numbers of a ball as a text.
+## Seven numbers of a ball as a text.
 static func ball_text(values: PackedFloat64Array) -> String:
 	return (
-		"at %s, r = %s, v = %s, m = %s"
+		"at %s, r = %s, v = %s, m = %s, spin = %s"
 		% [
 			list_text(values.slice(0, 2)),
 			DecimalText.of(values[2]),
 			list_text(values.slice(3, 5)),
-			DecimalText.of(values[5])
+			DecimalText.of(values[5]),
+			DecimalText.of(values[6])
 		]
 	)
 

@@ -37,6 +37,7 @@ func world_of(number: int) -> FuzzWorld:
 		2:
 			made.lines.append(LineSegment.new(Vec2.new(-half, 50.0), Vec2.new(half, 50.0)))
 	_stack(made, rng, half)
+	rub(made, rng)
 	return made
 
 

@@ -22,6 +22,7 @@ static func world_of(number: int) -> FuzzWorld:
 	maker._lay(number % Scene.size() as Scene)
 	maker._put_balls()
 	maker._change()
+	maker._rub()
 	return maker._made
 
 
@@ -94,6 +95,15 @@ func _change() -> void:
 		var edit := _some_edit(time)
 		edit.is_at_event = is_at_event
 		_made.edits.append(edit)
+
+
+# Where there is friction, it changes in place of C.
+func _rub() -> void:
+	FuzzKind.rub(_made, _rng)
+	for edit: FuzzEdit in _made.edits:
+		if _made.friction > 0.0 and edit.kind == FuzzEdit.Kind.BOUNCINESS:
+			edit.kind = FuzzEdit.Kind.FRICTION
+			edit.numbers[0] = [0.0, _rng.randf_range(0.0, 2.0)][_rng.randi() % 2]
 
 
 func _some_edit(time: float) -> FuzzEdit:

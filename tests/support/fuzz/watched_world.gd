@@ -42,6 +42,7 @@ func afresh() -> WatchedWorld:
 		Refusal.push(made.set_walls(low, Vec2.new(_right_x, _bottom_y)))
 	Refusal.push(made.set_gravity(Vec2.new(_gravity_x, _gravity_y)))
 	Refusal.push(made.set_bounciness(_bounciness))
+	Refusal.push(made.set_friction(_friction))
 	Refusal.push(made.set_segments(lines()))
 	var balls: Array[Ball] = []
 	for index: int in ball_places():
@@ -81,6 +82,11 @@ func lines() -> Array[LineSegment]:
 ## px/s².
 func gravity() -> Vec2:
 	return Vec2.new(_gravity_x, _gravity_y)
+
+
+## µ.
+func friction() -> float:
+	return _friction
 
 
 ## The nearest point of each line and wall that the ball may touch.
