@@ -78,6 +78,11 @@ static func _lecture() -> Array[Part]:
 			["line_ends", "more_dimensions"]
 		),
 		Part.new(
+			LabText.translate("Smart aiming"),
+			LabText.translate("Where to shoot, and when, so that the shot hits."),
+			["aim_at", "lead_target", "ballistic_aim", "bank_shot", "timed_shot"]
+		),
+		Part.new(
 			LabText.translate("Appendix"),
 			LabText.translate("Why the projection is right."),
 			["projection_proof"]

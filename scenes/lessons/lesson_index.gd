@@ -17,6 +17,11 @@ const FOLDERS: PackedStringArray = [
 	"l10_line_ends",
 	"l11_more_dimensions",
 	"l12_error_and_time",
+	"l13_aim_at",
+	"l14_lead_target",
+	"l15_ballistic_aim",
+	"l16_bank_shot",
+	"l17_timed_shot",
 ]
 
 ## What a lesson is, `%` its folder.

@@ -43,6 +43,10 @@ USES = {
     "line_ends": Use((1164, 465), r"P = \(-6, -8\)", r"P = \(-9, -7\)"),
     # The first component of a, from 4 to 2.
     "more_dimensions": Use((459, 157), r"a = \(4, -3, 2\)", r"a = \(2, -3, 2\)", (459, 198)),
+    # The target, to the right.
+    "aim_at": Use((279, 546), r"T = \(-80, 110\)", r"T = \(-50, 110\)", (330, 546)),
+    # The tip of v.
+    "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.

@@ -28,6 +28,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"line_ends": ["shot=-6,-8,6,16,4&time=0.25"],
 	"more_dimensions": ["has_four=true&a=1,2,3,4&view=3,1", "has_five=true&fifth=3,-1"],
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
+	"aim_at": ["hull_degrees=45&target=100,20", "fire=0.9&mistake=30"],
+	"lead_target": ["velocity=-180,90", "own=0,90&speed=120&mistake=104"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -91,6 +93,18 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"problem=none": "problem must be one of ",
 		"situation=-1": "situation must be within 0..",
 		"situation=99": "situation must be within 0..",
+	},
+	"aim_at":
+	{
+		"hull_degrees=181": "hull_degrees must be within −180..180, not 181.",
+		"length=0": "length must be within 0.001..10000, not 0.",
+		"mistake=5": "mistake must be one of 0, 101, 4, 30, 102, not “5”.",
+	},
+	"lead_target":
+	{
+		"speed=0": "s must be within 0.001..1000000, not 0.",
+		"target=2e6,0": "target must be within −1000000..1000000, not 2000000.",
+		"radius=-1": "R must be within 0..1000000, not −1.",
 	},
 }
 

@@ -18,6 +18,8 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"line_ends": ["Board/Shot:head", Vector2(1.0, 8.0), "line_ends_field.tscn"],
 	&"more_dimensions": ["Board/Bars:a", [1.0, 2.0, 3.0, 4.0]],
 	&"error_and_time": [".:first_problem", "dropped_ball"],
+	&"aim_at": ["Board/Drawing/Mark:center", Vector2(60.0, 50.0)],
+	&"lead_target": ["Board/Drawing/Velocity:head", Vector2(150.0, 0.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

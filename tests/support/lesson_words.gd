@@ -106,6 +106,17 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"a right angle",
 		],
 	},
+	&"aim_at": {words = ["no direction"]},
+	&"lead_target":
+	{
+		words =
+		[
+			"no root from 0 on",
+			"they touch already",
+			"a is 0 but for rounding: the hit is very far away",
+			"mistake:",
+		],
+	},
 	&"error_and_time":
 	{
 		words =

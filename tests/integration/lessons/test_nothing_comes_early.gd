@@ -61,6 +61,33 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 	{"InfiniteTwoSided": 1, "SegmentOneSided": 2, "RoundCaps": 3, "Graph": 4, _TABLE: 5},
 	&"more_dimensions": {"Stairs": 1, "Shadow": 3, "VerdictCard": 3, _TABLE: 4},
 	&"error_and_time": {_TABLE: 1},
+	&"aim_at":
+	{
+		"FallingWay": 1,
+		"Sight": 2,
+		"Theta": 2,
+		_TABLE: 2,
+		"Own": 3,
+		"AimedBarrel": 3,
+		"Verdict": 3,
+		"Delta": 4,
+		"EarlyWay": 5,
+		"EarlyMiss": 5,
+		"RightWay": 6,
+	},
+	&"lead_target":
+	{
+		"Way": 1,
+		"OneSecond": 2,
+		"Reach": 3,
+		"Graph": 3,
+		"Sum": 3,
+		"Meeting": 3,
+		"Verdict": 3,
+		_TABLE: 3,
+		"Aimed": 4,
+		"RightWay": 4,
+	},
 }
 
 

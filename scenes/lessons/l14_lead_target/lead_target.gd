@@ -1,0 +1,145 @@
+extends Lesson
+## The lesson on leading a moving target: where to aim so that bullet and target meet. Where both
+## are and how they move at the start is in the scene.
+
+# In the opening the shot at where the target is now waits so long, in seconds, before it flies
+# again.
+const _PAUSE := 0.8
+
+var _model := LeadTargetModel.new()
+var _shots: LeadShots
+var _formula: LeadTargetFormula
+var _readout: LeadTargetReadout
+var _clock: FlightClock
+
+@onready var _drawing: LeadTargetDrawing = %Drawing
+@onready var _velocity: DraggableVector = %Velocity
+@onready var _own: DraggableVector = %Own
+@onready var _mark: TargetMark = %Mark
+@onready var _radius_handle: Handle = %RadiusHandle
+@onready var _speed_handle: Handle = %SpeedHandle
+@onready var _one_second: ReachCircle = %OneSecond
+@onready var _graph: LeadGraph = %Graph
+
+
+func start() -> void:
+	_model.target = _velocity.tail_point()
+	_model.velocity = _velocity.head_point().minus(_velocity.tail_point())
+	_model.shooter = _own.tail_point()
+	_model.own = _own.head_point().minus(_own.tail_point())
+	_model.speed = _one_second.radius
+	_model.radius = _mark.radius
+	on_drag(_velocity.moved, _velocity.released, _move_target)
+	on_drag(_own.moved, _own.released, _move_shooter)
+	on_drag(_radius_handle.moved, _radius_handle.released, _drag_radius)
+	on_drag(_speed_handle.moved, _speed_handle.released, _drag_speed)
+	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_places(_model.shooter, at))
+	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_places(at, _model.target))
+	add_child(CardPlace.new(_graph, board, services[&"formula"]))
+	_formula = LeadTargetFormula.new(services[&"formula"] as Formula)
+	_readout = LeadTargetReadout.new(services[&"readout"] as Readout)
+	(services[&"options"] as LessonOptions).offer_presets(LeadTargetModel.PRESETS)
+	(services[&"mistakes"] as Mistakes).add_all(LeadTargetMistakes.infos())
+	var questions := services[&"question"] as Question
+	var kinds := LeadExercise.Kind.size()
+	questions.offer(LeadExercise.fresh, kinds, 0, LeadExercise.of_the_table)
+	on_enter(_model.enter)
+	on_pick(_take)
+	var end := func() -> float: return _shots.end(step)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
+	_graph.moment_pointed.connect(_clock.go_to)
+	# Not during a drag: measuring would slow it down.
+	about_to_show.connect(func() -> void: _readout.measure(_model))
+	begin(_model, _show, _points)
+	about_to_show.connect(_clock.go_to.bind(0.0))
+	open_with(_play_shot)
+
+
+# What moves by itself: the shot at where the target is now, again and again.
+func _play_shot(seconds: float) -> void:
+	_clock.repeat(seconds, _PAUSE)
+
+
+# What the student does. After each change the shot flies from the beginning.
+
+
+func _move_target(tail: Vec2, head: Vec2) -> String:
+	return _take_moved("target", _model.target, tail, "velocity", _model.velocity, head)
+
+
+func _move_shooter(tail: Vec2, head: Vec2) -> String:
+	return _take_moved("shooter", _model.shooter, tail, "own", _model.own, head)
+
+
+# What is moved by its tail keeps its velocity.
+func _take_moved(
+	place: String, before: Vec2, tail: Vec2, moves: String, velocity: Vec2, head: Vec2
+) -> String:
+	var is_tail := head.distance_to(before.plus(velocity)) == 0.0
+	var wanted := velocity if is_tail else head.minus(tail)
+	return _take({place: [tail.x, tail.y], moves: [wanted.x, wanted.y]})
+
+
+func _move_places(shooter: Vec2, target: Vec2) -> String:
+	var from := board.snapped_to_step(shooter) if shooter != _model.shooter else shooter
+	var to := board.snapped_to_step(target) if target != _model.target else target
+	return _take({"shooter": [from.x, from.y], "target": [to.x, to.y]})
+
+
+func _drag_radius(knob: Vec2) -> String:
+	return _take({"radius": _drawing.radius_for(_model, knob)})
+
+
+func _drag_speed(at: Vec2) -> String:
+	var wanted := roundf(at.distance_to(_model.shooter))
+	return _take({"speed": maxf(wanted, 1.0)})
+
+
+func _take(changes: Dictionary) -> String:
+	var problem := _model.take(changes)
+	if changes.has("mistake") and not problem:
+		_model.show_mistake(_model.mistake)
+		if _model.mistake != 0 and step < LeadTargetModel.Step.AIM:
+			(services[&"steps"] as Steps).go_to(LeadTargetModel.Step.FIRE)
+	return problem
+
+
+# What the student sees.
+
+
+# While the shot flies, nothing else has to be shown anew.
+func _show_moment(seconds: float) -> void:
+	_model.time = seconds
+	_drawing.show_flight(_model, _shots, step)
+
+
+func _points() -> Array[Vec2]:
+	return _drawing.points_to_show(_model, LeadShots.new(_model))
+
+
+func _show() -> void:
+	ask_choice_before(
+		LeadTargetModel.Step.REACH,
+		LeadTargetTexts.question_on_reach(),
+		LeadTargetTexts.choices(),
+		LeadTargetTexts.right_choice.bind(_model)
+	)
+	ask_before(
+		LeadTargetModel.Step.TIME,
+		LeadTargetTexts.question_on_place(_model),
+		_truth,
+		func() -> Vec2: return _model.target.copy()
+	)
+	_shots = LeadShots.new(_model)
+	tell_steps(LeadTargetTexts.sentences(_model, _shots))
+	tell_code(LeadTargetCode.lines(_model, step), LeadTargetCode.inputs(_model))
+	_drawing.show_model(_model, _shots, step)
+	_formula.show_model(_model, _shots, step)
+	_readout.show_model(_model, step)
+
+
+# Null where nothing hits, or at once.
+func _truth() -> Vec2:
+	if not _model.can_hit() or _model.aim().time == 0.0:
+		return null
+	return _model.target_after(_model.aim().time, true)
