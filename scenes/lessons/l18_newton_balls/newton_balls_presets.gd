@@ -1,0 +1,63 @@
+class_name NewtonBallsPresets
+extends RefCounted
+## The presets of the lesson on balls that meet.
+
+# The seed of the velocities of 50 balls: always the same.
+const _SEED := 50
+const _COLUMNS := 10
+const _ROWS := 5
+
+
+## What each preset changes in the model's state, by its title (source text).
+static func all() -> Dictionary[String, Dictionary]:
+	var one_to_two: Array[PackedFloat64Array] = [[-6, 0, 6, 0, 1], [2, 0, 0, 0, 2]]
+	return {
+		"1:2": _preset(one_to_two, 1.0),
+		"C = 0.5": _preset(one_to_two, 0.5),
+		"C = 0": _preset(one_to_two, 0.0),
+		"Equal masses": _preset([[-6, 0, 5, 0, 1], [3, 0, -1, 0, 1]], 1.0),
+		"Heavy on light": _preset([[-6, 0, 3, 0, 9], [2, 0, 0, 0, 1]], 1.0),
+		"Oblique": _preset([[-5.6, -0.2, 5, 0, 1], [2, 1, 0, 0, 1]], 1.0),
+		"Cradle": _preset(_cradle(), 1.0),
+		"Rack": _preset(_rack(), 1.0, true),
+		"50 balls": _preset(_crowd(), 1.0, true),
+	}
+
+
+static func _preset(
+	balls: Array[PackedFloat64Array], bounciness: float, has_box := false
+) -> Dictionary:
+	return {
+		balls = balls,
+		bounciness = bounciness,
+		has_box = has_box,
+		has_newton = true,
+	}
+
+
+# Four that touch, and a fifth that comes.
+static func _cradle() -> Array[PackedFloat64Array]:
+	return [[-8, 0, 5, 0, 1], [-1, 0, 0, 0, 1], [1, 0, 0, 0, 1], [3, 0, 0, 0, 1], [5, 0, 0, 0, 1]]
+
+
+# Fifteen balls with a hair between them: three that touch at once have no order.
+static func _rack() -> Array[PackedFloat64Array]:
+	var balls: Array[PackedFloat64Array] = [[-8, 0.1, 9, 0, 0.25]]
+	for row: int in 5:
+		for place: int in row + 1:
+			balls.append([2.0 + 0.9 * row, 1.04 * (place - row / 2.0), 0, 0, 0.25])
+	return balls
+
+
+static func _crowd() -> Array[PackedFloat64Array]:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = _SEED
+	var balls: Array[PackedFloat64Array] = []
+	for number: int in _COLUMNS * _ROWS:
+		var column := number % _COLUMNS
+		var row := floori(float(number) / _COLUMNS)
+		var x := 2.2 * column - 9.9
+		var y := 2.4 * row - 4.8
+		var mass := 0.25 if (row + column) % 2 == 0 else 0.09
+		balls.append([x, y, rng.randi_range(-30, 30) / 10.0, rng.randi_range(-30, 30) / 10.0, mass])
+	return balls
