@@ -117,6 +117,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"mistake:",
 		],
 	},
+	&"newton_balls": {words = ["mistake:"], not_shown = ["c₁", "c₂"]},
 	&"error_and_time":
 	{
 		words =

@@ -20,18 +20,20 @@ const _AFTER_MEETING := 1.5
 const _WITHOUT_MEETING := 4.0
 # Before the first meeting there are at most so many bounces off walls.
 const _MOST_EVENTS := 5000
+# A share of a time that is a little more than the last place of it.
+const _HAIR := 2.0 ** -52
 
 ## The first meeting of two balls; null where there is none within [constant LONGEST].
 var meeting: BallMeeting
 ## When it ends, in seconds.
 var end := LONGEST
+## Why the world has stopped before its time; "" where it has not.
+var refusal := ""
 
 var _world := EventWorld.new()
 var _kept: Array[WorldSnapshot] = []
 var _has_newton: bool
 var _bounciness: float
-# Why the world has stopped before its time; "" where it has not.
-var _refusal := ""
 
 
 ## Of these balls, in the box or not. Without [param has_newton] each ball bounces off another one
@@ -56,7 +58,7 @@ func _init(balls: Array[Ball], bounciness: float, has_box: bool, has_newton: boo
 func go_to(seconds: float) -> void:
 	if seconds < _world.time:
 		_put_back(_kept[mini(floori(seconds / _PERIOD), _kept.size() - 1)])
-	while _kept.size() * _PERIOD <= seconds and not _refusal:
+	while _kept.size() * _PERIOD <= seconds and not refusal:
 		_fly_to(_kept.size() * _PERIOD)
 		_kept.append(_world.snapshot())
 	_fly_to(seconds)
@@ -92,14 +94,18 @@ func _find_meeting() -> void:
 	for count: int in _MOST_EVENTS:
 		if _world.advance_to_next_event() or _world.time > LONGEST:
 			return
-		var event := _world.events[-1]
-		if event.kind == WorldEvent.Kind.BALL:
-			_take_meeting(_world.events[-2], event)
+		var first := _world.events.find_custom(_is_of_balls)
+		if first >= 0:
+			_take_meeting(_world.events[first], _world.events[first + 1])
 			return
 		_world.events.clear()
 
 
-# Each of the two balls has an event of its own.
+static func _is_of_balls(event: WorldEvent) -> bool:
+	return event.kind == WorldEvent.Kind.BALL
+
+
+# Each of the two balls has an event of its own, one after the other.
 func _take_meeting(one: WorldEvent, other: WorldEvent) -> void:
 	var low := one if one.ball < other.ball else other
 	var high := other if one.ball < other.ball else one
@@ -122,31 +128,40 @@ func _end_without_walls() -> float:
 
 
 func _put_back(kept: WorldSnapshot) -> void:
-	_refusal = ""
+	refusal = ""
 	Refusal.push(_world.restore(kept))
 	_world.events.clear()
 
 
 func _fly_to(seconds: float) -> void:
-	while not _has_newton and _world.next_event_time() <= seconds and not _refusal:
-		if not _fly_to_meeting(seconds):
-			return
-	if not _refusal:
-		_refusal = _world.advance_to(seconds)
+	var count := 0
+	while not _has_newton and not refusal and _fly_to_bounce(seconds):
+		count += 1
+		if count > _MOST_EVENTS:
+			refusal = "There are more than %d bounces until %s s." % [_MOST_EVENTS, seconds]
+	if not refusal:
+		refusal = _world.advance_to(seconds)
 	_world.events.clear()
 
 
-# The next thing that happens may be later: then the world is put back.
-func _fly_to_meeting(seconds: float) -> bool:
+# Without Newton: what happens next is looked at and put back, and two balls are changed a hair
+# before they meet. False where nothing happens any more until then.
+func _fly_to_bounce(seconds: float) -> bool:
+	if _world.next_event_time() > seconds:
+		return false
 	var before := _world.snapshot()
 	_world.events.clear()
 	if _world.advance_to_next_event() or _world.time > seconds:
 		_put_back(before)
-		_refusal = _world.advance_to(seconds)
 		return false
-	var event := _world.events[-1]
-	if event.kind == WorldEvent.Kind.BALL:
-		_bounce_as_off_a_wall(_world.events[-2])
+	var events: Array[WorldEvent] = _world.events.duplicate()
+	if not _is_of_balls(events[0]):
+		return true
+	var moment := _world.time * (1.0 - _HAIR)
+	_put_back(before)
+	if moment > _world.time:
+		refusal = _world.advance_to(moment)
+	for event: WorldEvent in events.slice(0, 2):
 		_bounce_as_off_a_wall(event)
 	return true
 

@@ -38,7 +38,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> BounceOfBallsExerci
 	var velocity_two := rng.randi_range(-3, 3)
 	# The closing speed is a multiple of the total mass: no answer has many digits.
 	var closing := (mass_one + mass_two) * rng.randi_range(1, 2)
-	var usual: Array[float] = [0.5, 0.0] if kind == Kind.LOST else [1.0, 0.5, 0.0]
+	var usual: PackedFloat64Array = [0.5, 0.0] if kind == Kind.LOST else [1.0, 0.5, 0.0]
 	return new(
 		kind,
 		_meeting(
@@ -73,7 +73,7 @@ static func of_the_course(kind: Kind) -> BounceOfBallsExercise:
 
 # They touch at the origin.
 static func _meeting(
-	masses: Array[float], velocities: Array[Vec2], normal: Vec2, bounciness: float
+	masses: PackedFloat64Array, velocities: Array[Vec2], normal: Vec2, bounciness: float
 ) -> BallMeeting:
 	var radii: PackedFloat64Array = [
 		NewtonBallsModel.radius_of(masses[0]), NewtonBallsModel.radius_of(masses[1])

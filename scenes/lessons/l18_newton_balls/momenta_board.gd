@@ -6,9 +6,11 @@ extends Board
 
 # Arrows that lie nearly along each other are drawn side by side, so far apart as a share of the
 # widest one.
-const _LANE := 0.09
+const _LANE := 0.12
 # Two arrows with less than this between them, as a share of the widest one, lie along each other.
 const _FLAT := 0.15
+# Half of the width that is shown, as a share of that of the arrows: their names stand beside them.
+const _ROOM := 0.66
 # Between both pictures.
 const _GAP := 0.16
 
@@ -41,7 +43,8 @@ func show_momenta(before: Array[Vec2], after: Array[Vec2]) -> void:
 	_lay(_before, above, Vec2.new(middle, -height / 2.0 - room_above[0].y))
 	_lay(_after, below, Vec2.new(middle, height / 2.0 - room_below[1].y))
 	_points = [
-		Vec2.new((right - left) / 2.0, height / 2.0), Vec2.new((left - right) / 2.0, -height / 2.0)
+		Vec2.new((right - left) * _ROOM, height / 2.0),
+		Vec2.new((left - right) * _ROOM, -height / 2.0)
 	]
 	fit(_points)
 

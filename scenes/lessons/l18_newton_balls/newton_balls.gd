@@ -170,6 +170,8 @@ func _fly_anew() -> void:
 func _show_moment(seconds: float) -> void:
 	_seconds = seconds
 	_run.go_to(seconds)
+	if _run.refusal:
+		noticed.emit(_run.refusal)
 	_drawing.show_moment(_model, _run, seconds, step)
 
 
@@ -200,7 +202,7 @@ func _ask(meeting: BallMeeting) -> void:
 		NewtonBallsModel.Step.AFTER,
 		NewtonBallsTexts.question_on_velocity(),
 		func() -> Vec2: return _head_after(meeting) if meeting else null,
-		func() -> Vec2: return meeting.one.position.plus(meeting.one.velocity)
+		func() -> Vec2: return _head_before(meeting)
 	)
 	ask_choice_before(
 		NewtonBallsModel.Step.ENERGY,
@@ -210,5 +212,14 @@ func _ask(meeting: BallMeeting) -> void:
 	)
 
 
-static func _head_after(meeting: BallMeeting) -> Vec2:
-	return meeting.one.position.plus(meeting.velocities_after()[0])
+func _head_before(meeting: BallMeeting) -> Vec2:
+	return _head_of(meeting, meeting.one.velocity)
+
+
+func _head_after(meeting: BallMeeting) -> Vec2:
+	return _head_of(meeting, meeting.velocities_after()[0])
+
+
+# Where a velocity of ball 1 ends, in the picture of the meeting.
+func _head_of(meeting: BallMeeting, velocity: Vec2) -> Vec2:
+	return meeting.one.position.plus(_drawing.drop(_model, meeting)).plus(velocity)

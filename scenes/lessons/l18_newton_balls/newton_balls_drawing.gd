@@ -11,6 +11,8 @@ const _STEM := 30.0
 const _STEM_STEP := 0.5
 # How long both pushes are drawn: equal, whatever J is.
 const _PUSH := 2.5
+# Between the balls and the picture of their meeting below them, in units.
+const _BELOW := 0.8
 # The line for C is ten steps of the grid long, and lies so far above the lower edge.
 const _HALF_SCALE := 5.0
 const _ABOVE_EDGE := 30.0
@@ -23,10 +25,13 @@ var _indices: PackedInt32Array = []
 @onready var _crowd: BallCrowd = %Crowd
 @onready var _ghosts: Array[BallView] = [%Ghost1, %Ghost2]
 @onready var _normal: Arrow = %Normal
+@onready var _coming: Array[Arrow] = [%Coming1, %Coming2]
 @onready var _parts: Array[Arrow] = [%Part1, %Part2]
 @onready var _center: TargetMark = %Center
 @onready var _center_velocity: Arrow = %CenterVelocity
+@onready var _center_stem: Arrow = %CenterStem
 @onready var _seen: Array[Arrow] = [%Seen1, %Seen2]
+@onready var _leaving: Array[Arrow] = [%Leaving1, %Leaving2]
 @onready var _pushes: Array[Arrow] = [%Push1, %Push2]
 @onready var _after: Array[Arrow] = [%After1, %After2]
 @onready var _wrong: Array[Arrow] = [%Wrong1, %Wrong2]
@@ -121,13 +126,16 @@ func points_to_show(model: NewtonBallsModel, meeting: BallMeeting) -> Array[Vec2
 			points.append(ball.position.plus(ball.velocity))
 	if meeting and not model.has_box:
 		var after := meeting.velocities_after()
-		points.append(meeting.one.position.plus(after[0]))
-		points.append(meeting.two.position.plus(after[1]))
+		var below := drop(model, meeting)
+		for ball: Ball in [meeting.one, meeting.two]:
+			points.append(ball.position.plus(below).plus(Vec2.new(ball.radius, ball.radius)))
+		points.append(meeting.one.position.plus(below).plus(after[0]))
+		points.append(meeting.two.position.plus(below).plus(after[1]))
 	var lowest := 0.0
 	for point in points:
 		lowest = maxf(lowest, absf(point.y))
 	# Room for the line with C.
-	points.append(Vec2.new(0.0, lowest + 2.0))
+	points.append(Vec2.new(0.0, lowest + 1.0))
 	return points
 
 
@@ -144,6 +152,22 @@ static func _moved(
 	return meeting.center_velocity().scaled(-seconds)
 
 
+## How far below the balls the picture of their meeting is drawn: without a box, so that no arrows
+## lie on each other.
+func drop(model: NewtonBallsModel, meeting: BallMeeting) -> Vec2:
+	if model.has_box:
+		return Vec2.new()
+	var lowest := -INF
+	for ball in model.world_balls():
+		lowest = maxf(
+			lowest, maxf(ball.position.y + ball.radius, ball.position.y + ball.velocity.y)
+		)
+	var highest := minf(
+		meeting.one.position.y - meeting.one.radius, meeting.two.position.y - meeting.two.radius
+	)
+	return Vec2.new(0.0, maxf(lowest - highest, 0.0) + _BELOW)
+
+
 func _lay_scale(model: NewtonBallsModel) -> void:
 	var board := _crowd.board
 	var below := Vector2(board.size.x / 2.0, board.free_area().end.y - _ABOVE_EDGE)
@@ -156,48 +180,54 @@ func _lay_scale(model: NewtonBallsModel) -> void:
 
 # The two balls where they meet, and what happens along n.
 func _lay_meeting(model: NewtonBallsModel, meeting: BallMeeting, step: int) -> void:
-	var is_shown := meeting != null and step >= NewtonBallsModel.Step.NORMAL
-	for part: CanvasItem in _ghosts:
-		part.visible = is_shown
-	var is_along := step < NewtonBallsModel.Step.MOMENTUM
-	_normal.visible = is_shown and is_along and step != NewtonBallsModel.Step.CENTER
+	var is_step := step >= NewtonBallsModel.Step.NORMAL and step != NewtonBallsModel.Step.CENTER
+	var is_shown := meeting != null and is_step
+	_normal.visible = is_shown and step < NewtonBallsModel.Step.MOMENTUM
 	for place: int in 2:
-		_parts[place].visible = is_shown and step == NewtonBallsModel.Step.NORMAL
+		_ghosts[place].visible = is_shown
+		_coming[place].visible = is_shown and step == NewtonBallsModel.Step.NORMAL
+		_parts[place].visible = _coming[place].visible
 		_pushes[place].visible = is_shown and step == NewtonBallsModel.Step.IMPULSE
 	if not is_shown:
 		return
-	var moved := _moved(model, meeting, meeting.time, step)
+	var moved := _moved(model, meeting, meeting.time, step).plus(drop(model, meeting))
 	var balls: Array[Ball] = [meeting.one, meeting.two]
 	for place: int in 2:
 		var center := balls[place].position.plus(moved)
 		_ghosts[place].lay(center, balls[place].radius)
-		var part := balls[place].velocity.vector_projection(meeting.normal)
-		_parts[place].lay(center, center.plus(part))
-		_parts[place].visible = _parts[place].visible and part.length() > 0.0
-		var push := meeting.normal.scaled(_PUSH if place == 1 else -_PUSH)
-		_pushes[place].lay(center, center.plus(push))
+		var velocity := balls[place].velocity
+		_lay_arrow(_coming[place], center, velocity)
+		_lay_arrow(_parts[place], center, velocity.vector_projection(meeting.normal))
+		_lay_arrow(_pushes[place], center, meeting.normal.scaled(_PUSH if place == 1 else -_PUSH))
 	var touch := meeting.one.position.plus(meeting.normal.scaled(meeting.one.radius)).plus(moved)
-	_normal.lay(touch, touch.plus(meeting.normal))
-	_normal.keep_label_from(touch.plus(Vec2.new(0.0, 1.0)))
+	_lay_arrow(_normal, touch, meeting.normal)
 
 
-# The velocities after the bounce, right and wrong.
+# An arrow of no length is not shown.
+static func _lay_arrow(arrow: Arrow, tail: Vec2, along: Vec2) -> void:
+	arrow.lay(tail, tail.plus(along))
+	arrow.visible = arrow.visible and along.length() > 0.0
+
+
+# The velocities after the bounce, right and wrong, and as the centre of mass sees them.
 func _lay_changes(model: NewtonBallsModel, meeting: BallMeeting, step: int) -> void:
-	var is_shown := meeting != null and step >= NewtonBallsModel.Step.AFTER
+	var is_after := meeting != null and step >= NewtonBallsModel.Step.AFTER
+	var is_seen := _is_seen_from_center(model, meeting, step)
 	var is_compared := NewtonBallsTexts.is_compared(model, meeting, step)
 	var shows_wrong := is_compared and model.mistake_shows(meeting)
 	for place: int in 2:
-		_after[place].visible = is_shown
+		_after[place].visible = is_after
+		_leaving[place].visible = is_seen
 		_wrong[place].visible = shows_wrong
-	if not is_shown:
+	if not is_after and not is_seen:
 		return
-	var balls: Array[Ball] = [meeting.one, meeting.two]
 	var right := meeting.velocities_after()
 	var wrong := NewtonBallsMistakes.velocities_after(model.shown_mistake(), meeting)
 	for place: int in 2:
-		var center := balls[place].position
-		_after[place].lay(center, center.plus(right[place]))
-		_wrong[place].lay(center, center.plus(wrong[place]))
+		var center := _ghosts[place].at()
+		_lay_arrow(_after[place], center, right[place])
+		_lay_arrow(_leaving[place], center, right[place].minus(meeting.center_velocity()))
+		_lay_arrow(_wrong[place], center, wrong[place])
 
 
 func _lay_vectors(
@@ -255,6 +285,7 @@ func _lay_center(
 	var is_seen := _is_seen_from_center(model, meeting, step)
 	_center.visible = is_shown
 	_center_velocity.visible = is_shown and not is_seen
+	_center_stem.visible = is_shown and not is_seen
 	for place: int in 2:
 		_seen[place].visible = is_seen
 	if not is_shown:
@@ -264,7 +295,10 @@ func _lay_center(
 		place_of_center = BallMeeting.new(balls[0], balls[1], 1.0).center().plus(moved)
 	var velocity := meeting.center_velocity()
 	_center.lay(place_of_center, 0.0)
-	_center_velocity.lay(place_of_center, place_of_center.plus(velocity))
+	var radius := maxf(meeting.one.radius, meeting.two.radius)
+	var below := place_of_center.plus(Vec2.new(0.0, radius + _BELOW))
+	_center_stem.lay(place_of_center, below)
+	_lay_arrow(_center_velocity, below, velocity)
 	for place: int in 2 if is_seen else 0:
 		var at := balls[place].position.plus(moved)
 		_seen[place].lay(at, at.plus(balls[place].velocity.minus(velocity)))

@@ -45,8 +45,10 @@ const _LINES: Dictionary[NewtonBallsModel.Step, Array] = {
 	NewtonBallsModel.Step.MOMENTUM:
 	[
 		"{v1a} = {v1a_pair}   {v2a} = {v2a_pair}",
-		"{P} = {m1s} {v1} + {m2s} {v2} = {p1} + {p2} = {P_pair}",
-		"{Pa} = {m1s} {v1a} + {m2s} {v2a} = {p1a} + {p2a} = {Pa_pair}",
+		"p₁ = {m1s} {v1} = {p1}   p₂ = {m2s} {v2} = {p2}",
+		"{P} = p₁ + p₂ = {p1} + {p2} = {P_pair}",
+		"p₁′ = {m1s} {v1a} = {p1a}   p₂′ = {m2s} {v2a} = {p2a}",
+		"{Pa} = p₁′ + p₂′ = {p1a} + {p2a} = {Pa_pair}",
 	],
 	NewtonBallsModel.Step.ENERGY:
 	[

@@ -13,7 +13,7 @@ enum Step { MEET, NORMAL, CENTER, FRAME, IMPULSE, AFTER, MOMENTUM, ENERGY }
 const FEWEST := 2
 const MOST := 50
 ## No place and no velocity has a component larger than this.
-const LARGEST := 1000.0
+const LARGEST := 100.0
 ## The masses of balls, in any unit.
 const LIGHTEST := 0.01
 const HEAVIEST := 100.0
