@@ -13,7 +13,7 @@ const _GIVEN_IN_BOX: PackedStringArray = [
 	"{m2s} = {m2}   {v2} = {v2_pair}",
 	"C = {C}",
 ]
-const _CLOSING := "w = ({v1} − {v2}) · {n} = {dv} · {n_pair} = {w}"
+const _CLOSING := "w = ({v1} − {v2}) · {n} = {dvx}·{nx} + {dvy}·{ny} = {w}"
 const _CENTER := (
 	"{V} = ({m1s} {v1} + {m2s} {v2}) / ({m1s} + {m2s})" + " = ({p1} + {p2}) / {M} = {V_pair}"
 )
@@ -121,7 +121,10 @@ func _put_along(meeting: BallMeeting) -> void:
 	_formula.put_vector("v1_pair", meeting.one.velocity, Palette.Role.A)
 	_formula.put_vector("v2_pair", meeting.two.velocity, Palette.Role.B)
 	var closing := meeting.one.velocity.minus(meeting.two.velocity)
-	_put_sum("dv", closing, meeting.speed_scale(), ink)
+	_formula.put_number("dvx", closing.x, ink)
+	_formula.put_number("dvy", closing.y, ink)
+	_formula.put_number("nx", meeting.normal.x, Palette.Role.UNIT)
+	_formula.put_number("ny", meeting.normal.y, Palette.Role.UNIT)
 	_formula.put_number("w", meeting.closing_speed(), ink)
 
 

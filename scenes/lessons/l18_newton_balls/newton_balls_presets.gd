@@ -45,7 +45,7 @@ static func _rack() -> Array[PackedFloat64Array]:
 	var balls: Array[PackedFloat64Array] = [[-8, 0.1, 9, 0, 0.25]]
 	for row: int in 5:
 		for place: int in row + 1:
-			balls.append([2.0 + 0.9 * row, 1.04 * (place - row / 2.0), 0, 0, 0.25])
+			balls.append([(20 + 9 * row) / 10.0, (104 * place - 52 * row) / 100.0, 0, 0, 0.25])
 	return balls
 
 
@@ -56,8 +56,8 @@ static func _crowd() -> Array[PackedFloat64Array]:
 	for number: int in _COLUMNS * _ROWS:
 		var column := number % _COLUMNS
 		var row := floori(float(number) / _COLUMNS)
-		var x := 2.2 * column - 9.9
-		var y := 2.4 * row - 4.8
+		var x := (22 * column - 99) / 10.0
+		var y := (24 * row - 48) / 10.0
 		var mass := 0.25 if (row + column) % 2 == 0 else 0.09
 		balls.append([x, y, rng.randi_range(-30, 30) / 10.0, rng.randi_range(-30, 30) / 10.0, mass])
 	return balls
