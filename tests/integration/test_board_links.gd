@@ -30,6 +30,11 @@ const _GOOD: Dictionary[String, Array] = {
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
 	"aim_at": ["hull_degrees=45&target=100,20", "fire=0.9&mistake=30"],
 	"lead_target": ["velocity=-180,90", "own=0,90&speed=120&mistake=104"],
+	"newton_balls":
+	[
+		"bounciness=0.5&mistake=25",
+		"balls=-3,0,4,1,1;3,0,0,0,1;0,5,0,0,2&has_box=true&has_newton=false"
+	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -105,6 +110,14 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"speed=0": "s must be within 0.001..1000000, not 0.",
 		"target=2e6,0": "target must be within −1000000..1000000, not 2000000.",
 		"radius=-1": "R must be within 0..1000000, not −1.",
+	},
+	"newton_balls":
+	{
+		"bounciness=1.5": "C must be within 0..1, not 1.5.",
+		"balls=0,0,1,0,1;1,0,0,0,1": "Ball 1 and ball 2 must not overlap.",
+		"balls=0,0,1,0,0;9,0,0,0,1": "m of ball 1 must be within 0.01..100, not 0.",
+		"balls=0,0,1,0,1": "There must be 2 to 50 balls, not 1.",
+		"balls=0,0,1,0,1;11.5,0,0,0,1&has_box=true": "Ball 2 must be in the box.",
 	},
 }
 

@@ -6,7 +6,7 @@ extends BoardPart
 
 const _FONT_SIZE := 22
 # A smaller ball has no room for its number, in pixels.
-const _ROOM_FOR_NUMBER := 13.0
+const _ROOM_FOR_NUMBER := 28.0
 # In 32 bits a circle larger than this is drawn wrongly.
 const _LARGEST := 2000.0
 

@@ -30,7 +30,7 @@ var _clock: FlightClock
 func start() -> void:
 	_put_start()
 	_let_drag()
-	add_child(CardPlace.new(%MomentaCard as Control, board, services[&"formula"]))
+	_put_card_into_panel()
 	_formula = NewtonBallsFormula.new(services[&"formula"] as Formula)
 	_readout = NewtonBallsReadout.new(services[&"readout"] as Readout)
 	var options := services[&"options"] as LessonOptions
@@ -50,6 +50,14 @@ func start() -> void:
 	about_to_show.connect(_prepare)
 	begin(_model, _show, _points)
 	open_with(func(seconds: float) -> void: _clock.repeat(seconds, _PAUSE))
+
+
+# On the board it would cover balls.
+func _put_card_into_panel() -> void:
+	var card := %MomentaCard as Control
+	var formula := services[&"formula"]
+	card.reparent(formula.get_parent(), false)
+	card.get_parent().move_child(card, formula.get_index() + 1)
 
 
 func _follow_keys() -> void:

@@ -122,6 +122,8 @@ func points_to_show(model: NewtonBallsModel, meeting: BallMeeting) -> Array[Vec2
 	for ball in model.world_balls():
 		var rim := Vec2.new(ball.radius, ball.radius)
 		points.append_array([ball.position.plus(rim), ball.position.minus(rim)])
+		if model.is_pair():
+			points.append(ball.position.minus(rim).minus(Vec2.new(0.0, 1.0)))
 		if model.balls.size() <= MOST_ARROWS:
 			points.append(ball.position.plus(ball.velocity))
 	if meeting and not model.has_box:
@@ -133,9 +135,9 @@ func points_to_show(model: NewtonBallsModel, meeting: BallMeeting) -> Array[Vec2
 		points.append(meeting.two.position.plus(below).plus(after[1]))
 	var lowest := 0.0
 	for point in points:
-		lowest = maxf(lowest, absf(point.y))
+		lowest = maxf(lowest, point.y)
 	# Room for the line with C.
-	points.append(Vec2.new(0.0, lowest + 1.0))
+	points.append(Vec2.new(0.0, lowest + 1.5))
 	return points
 
 
@@ -162,8 +164,10 @@ func drop(model: NewtonBallsModel, meeting: BallMeeting) -> Vec2:
 		lowest = maxf(
 			lowest, maxf(ball.position.y + ball.radius, ball.position.y + ball.velocity.y)
 		)
+	var after := meeting.velocities_after()
 	var highest := minf(
-		meeting.one.position.y - meeting.one.radius, meeting.two.position.y - meeting.two.radius
+		meeting.one.position.y + minf(-meeting.one.radius, after[0].y),
+		meeting.two.position.y + minf(-meeting.two.radius, after[1].y)
 	)
 	return Vec2.new(0.0, maxf(lowest - highest, 0.0) + _BELOW)
 

@@ -23,7 +23,7 @@ const _OVERLAP := 1e-6
 const _USUAL: Array[float] = [1.0, 0.5, 0.0]
 
 ## Each ball as x and y of its centre, x and y of its velocity, and its mass.
-var balls: Array[PackedFloat64Array] = [[-6.0, 0.0, 6.0, 0.0, 1.0], [2.0, 0.0, 0.0, 0.0, 2.0]]
+var balls: Array[PackedFloat64Array] = [[-6.0, -2.0, 6.0, 0.0, 1.0], [2.0, -2.0, 0.0, 0.0, 2.0]]
 ## The bounciness C, 0..1.
 var bounciness := 1.0
 ## Whether walls are around the balls.

@@ -10,14 +10,14 @@ const _ROWS := 5
 
 ## What each preset changes in the model's state, by its title (source text).
 static func all() -> Dictionary[String, Dictionary]:
-	var one_to_two: Array[PackedFloat64Array] = [[-6, 0, 6, 0, 1], [2, 0, 0, 0, 2]]
+	var one_to_two: Array[PackedFloat64Array] = [[-6, -2, 6, 0, 1], [2, -2, 0, 0, 2]]
 	return {
 		"1:2": _preset(one_to_two, 1.0),
 		"C = 0.5": _preset(one_to_two, 0.5),
 		"C = 0": _preset(one_to_two, 0.0),
-		"Equal masses": _preset([[-6, 0, 5, 0, 1], [3, 0, -1, 0, 1]], 1.0),
-		"Heavy on light": _preset([[-6, 0, 3, 0, 9], [2, 0, 0, 0, 1]], 1.0),
-		"Oblique": _preset([[-5.6, -0.2, 5, 0, 1], [2, 1, 0, 0, 1]], 1.0),
+		"Equal masses": _preset([[-6, -2, 5, 0, 1], [3, -2, -1, 0, 1]], 1.0),
+		"Heavy on light": _preset([[-6, -3, 3, 0, 9], [2, -3, 0, 0, 1]], 1.0),
+		"Oblique": _preset([[-5.6, -3.2, 5, 0, 1], [2, -2, 0, 0, 1]], 1.0),
 		"Cradle": _preset(_cradle(), 1.0),
 		"Rack": _preset(_rack(), 1.0, true),
 		"50 balls": _preset(_crowd(), 1.0, true),
@@ -37,7 +37,10 @@ static func _preset(
 
 # Four that touch, and a fifth that comes.
 static func _cradle() -> Array[PackedFloat64Array]:
-	return [[-8, 0, 5, 0, 1], [-1, 0, 0, 0, 1], [1, 0, 0, 0, 1], [3, 0, 0, 0, 1], [5, 0, 0, 0, 1]]
+	var balls: Array[PackedFloat64Array] = [[-8, -2, 5, 0, 1]]
+	for place: int in 4:
+		balls.append([2 * place - 1, -2, 0, 0, 1])
+	return balls
 
 
 # Fifteen balls with a hair between them: three that touch at once have no order.

@@ -77,7 +77,7 @@ func test_what_cannot_be_is_refused() -> void:
 
 
 func test_a_dragged_ball_stops_where_it_touches() -> void:
-	assert_no_refusal(_model.move_ball(0, Vec2.new(1.5, 0.0)))
+	assert_no_refusal(_model.move_ball(0, Vec2.new(1.5, -2.0)))
 	assert_almost_eq(_model.balls[0][0], 2.0 - 1.0 - sqrt(2.0), 1e-4)
 	_take("Rack")
 	assert_no_refusal(_model.move_ball(0, Vec2.new(-50.0, 0.0)))
@@ -89,7 +89,7 @@ func test_a_typed_number_belongs_to_ball_1_or_2() -> void:
 	assert_no_refusal(_model.enter("vx1", 4.0, 0, 1))
 	assert_no_refusal(_model.enter("vy2", -1.0, 0, 1))
 	assert_no_refusal(_model.enter("C", 0.25, 0, 1))
-	assert_eq(_model.balls[1], PackedFloat64Array([2, 0, 0, -1, 3]))
+	assert_eq(_model.balls[1], PackedFloat64Array([2, -2, 0, -1, 3]))
 	assert_eq(_model.balls[0][2], 4.0)
 	assert_eq(_model.bounciness, 0.25)
 	assert_ne(_model.enter("m1", 100.5, 0, 1), "")
