@@ -83,6 +83,11 @@ static func _lecture() -> Array[Part]:
 			["aim_at", "lead_target", "ballistic_aim", "bank_shot", "timed_shot", "aiming_game"]
 		),
 		Part.new(
+			LabText.translate("Moving objects"),
+			LabText.translate("What balls do to each other."),
+			["newton_balls"]
+		),
+		Part.new(
 			LabText.translate("Appendix"),
 			LabText.translate("Why the projection is right."),
 			["projection_proof"]

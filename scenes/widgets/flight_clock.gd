@@ -3,8 +3,11 @@ extends RefCounted
 ## The time of a flight that a [Transport] plays: from 0 to its end, where it stops. Play begins it
 ## anew then. A long flight runs faster.
 
-## A flight lasts at most so many seconds of the student's.
+## A flight lasts at most so many seconds of the student's, unless a lesson says otherwise.
 const LONGEST_SHOWN := 8.0
+
+## How many seconds of the student's a flight lasts at most.
+var longest_shown := LONGEST_SHOWN
 
 var _transport: Transport
 var _end: Callable
@@ -38,7 +41,7 @@ func _advance(seconds: float) -> void:
 	var end: float = _end.call()
 	if _transport.is_playing and _time >= end:
 		_time = 0.0
-	_put(clampf(_time + seconds * maxf(1.0, end / LONGEST_SHOWN), 0.0, end))
+	_put(clampf(_time + seconds * maxf(1.0, end / longest_shown), 0.0, end))
 	if _time == end:
 		_transport.is_playing = false
 

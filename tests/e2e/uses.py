@@ -53,6 +53,8 @@ USES = {
     "bank_shot": Use((237, 194), r"S = \( 100 , 100 \)", r"S = \( 100 , 80 \)", (237, 167)),
     # Where the target starts.
     "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
+    # The tip of v₁: one unit to the left.
+    "newton_balls": Use((415, 252), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 252)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.

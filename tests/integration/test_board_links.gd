@@ -35,6 +35,11 @@ const _GOOD: Dictionary[String, Array] = {
 	"timed_shot": ["muzzle=300,400&target=0,200", "kind=1&circling=-45&fire=2.5", "kind=2"],
 	"bank_shot":
 	["bounciness=0.5&radius=10", "walls=0,280,320,240;350,250,310,20&bounces=2&order=12"],
+	"newton_balls":
+	[
+		"bounciness=0.5&mistake=25",
+		"balls=-3,0,4,1,1;3,0,0,0,1;0,5,0,0,2&has_box=true&has_newton=false"
+	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -133,6 +138,14 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"bounces=4": "bounces must be within 1..3, not 4.",
 		"order=3": "order must be one of 1, 2, not “3”.",
 		"walls=1,1,1,1": "A wall must be at least 0.01 px long",
+	},
+	"newton_balls":
+	{
+		"bounciness=1.5": "C must be within 0..1, not 1.5.",
+		"balls=0,0,1,0,1;1,0,0,0,1": "Ball 1 and ball 2 must not overlap.",
+		"balls=0,0,1,0,0;9,0,0,0,1": "m of ball 1 must be within 0.01..100, not 0.",
+		"balls=0,0,1,0,1": "There must be 2 to 50 balls, not 1.",
+		"balls=0,0,1,0,1;11.5,0,0,0,1&has_box=true": "Ball 2 must be in the box.",
 	},
 }
 

@@ -23,6 +23,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"ballistic_aim": ["Board/Drawing/TargetHandle:point", Vector2(100.0, -20.0)],
 	&"timed_shot": ["Board/Drawing/Start:point", Vector2(-200.0, -50.0)],
 	&"bank_shot": ["Board/Drawing/Wall1:head", Vector2(480.0, 280.0)],
+	&"newton_balls": ["Board/Drawing/Ball1:head", Vector2(-2.0, -2.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

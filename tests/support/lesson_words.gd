@@ -140,6 +140,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		],
 		not_shown = ["n", "X", "f"],
 	},
+	&"newton_balls": {words = ["mistake:"], not_shown = ["c₁", "c₂"]},
 	&"error_and_time":
 	{
 		words =

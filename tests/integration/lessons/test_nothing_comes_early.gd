@@ -75,6 +75,17 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"EarlyMiss": 5,
 		"RightWay": 6,
 	},
+	&"newton_balls":
+	{
+		"Ghost1": 1,
+		"Coming1": 1,
+		"Center": 2,
+		"Verdict": 2,
+		"Leaving1": 3,
+		"Push1": 4,
+		"After1": 5,
+		_TABLE: 5,
+	},
 	&"lead_target":
 	{
 		"Way": 1,
