@@ -22,6 +22,7 @@ const FOLDERS: PackedStringArray = [
 	"l15_ballistic_aim",
 	"l16_bank_shot",
 	"l17_timed_shot",
+	"l18_slide_and_roll",
 ]
 
 ## What a lesson is, `%` its folder.
