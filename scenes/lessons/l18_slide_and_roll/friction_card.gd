@@ -17,6 +17,8 @@ const FONT_SIZE := 15
 # A µ that is dragged is a multiple of this.
 const _STEP := 0.005
 const _KNOB := 9.0
+# A number at an end of the axis needs so much of it free.
+const _ROOM_OF_MARK := 0.17
 # The axis ends at one of these times a power of ten.
 const _ENDS: PackedFloat64Array = [1.0, 1.5, 2.0, 3.0, 5.0, 7.5, 10.0]
 
@@ -24,6 +26,7 @@ const _ENDS: PackedFloat64Array = [1.0, 1.5, 2.0, 3.0, 5.0, 7.5, 10.0]
 var most := 1.0
 
 var _friction := 0.0
+var _mark := 0.0
 var _is_dragged := false
 
 
@@ -35,12 +38,13 @@ func _ready() -> void:
 		mouse_default_cursor_shape = CURSOR_HSIZE
 
 
-## Shows [param friction], on an axis on which there is room for [param farthest], too. During a
-## drag the axis stays.
-func show_friction(friction: float, farthest: float) -> void:
+## Shows [param friction], on an axis on which there is room for the names of [param mark] and of
+## [param farthest], too. During a drag the axis stays.
+func show_friction(friction: float, mark: float, farthest: float) -> void:
 	_friction = friction
+	_mark = mark
 	if not _is_dragged:
-		most = _end_for(1.15 * maxf(friction, farthest))
+		most = _end_for(1.2 * maxf(friction, maxf(mark, farthest)))
 	queue_redraw()
 
 
@@ -65,10 +69,12 @@ func _draw() -> void:
 	var foot := size.y - MARGIN_BOTTOM
 	var axis := Palette.drawn(Palette.AXIS)
 	draw_line(Vector2(pixel_of(0.0), foot), Vector2(pixel_of(most), foot), axis, 2.0)
-	for share: float in [0.0, 0.5, 1.0]:
-		var x := pixel_of(share * most)
+	for end: float in [0.0, most]:
+		var x := pixel_of(end)
 		draw_line(Vector2(x, foot), Vector2(x, foot + 5.0), axis, 2.0)
-		_write(NumberText.short(share * most), x, size.y - 10.0, Palette.Role.QUIET)
+		# The name of a mark needs the room.
+		if absf(_mark - end) >= _ROOM_OF_MARK * most:
+			_write(NumberText.short(end), x, size.y - 10.0, Palette.Role.QUIET)
 	var knob := Vector2(pixel_of(_friction), foot)
 	var color := Palette.color(Palette.Role.REST)
 	draw_texture(_dot(), knob - _dot().get_size() / 2.0)

@@ -11,21 +11,21 @@ var _pull := 0.0
 var _pressure := 1.0
 var _mark := 0.0
 var _friction := 0.0
-# NAN where there is none.
+# That of the mistake; NAN where it is not shown.
 var _wrong_mark := NAN
 
 @onready var _card: FrictionCard = get_parent() as FrictionCard
 
 
-## Shows the accelerations on the slope of [param model]. [param wrong_mark] is the mark of a
-## mistake, NAN for none.
-func show_model(model: SlideAndRollModel, wrong_mark: float) -> void:
+## Shows the accelerations on the slope of [param model], and the mark at tan where it
+## [param has_wrong_mark].
+func show_model(model: SlideAndRollModel, has_wrong_mark: bool) -> void:
 	var incline := model.incline(model.friction)
 	_pull = incline.pull
 	_pressure = incline.pressure
 	_mark = model.mark()
 	_friction = model.friction
-	_wrong_mark = wrong_mark
+	_wrong_mark = model.slope() if has_wrong_mark else NAN
 	queue_redraw()
 
 

@@ -69,7 +69,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> RollExercise:
 static func of_the_lecture(kind: Kind) -> RollExercise:
 	if kind >= Kind.LEVEL_SPEED:
 		return new(kind, Vec2.new(375.0, 0.0), 600.0, 0.2, 300.0)
-	return new(kind, Vec2.new(96.0, 72.0), 600.0, 0.5, 0.0)
+	return new(kind, Vec2.new(96.0, 72.0), 600.0, 0.4, 0.0)
 
 
 ## The line, as far to both sides of the middle of the board.

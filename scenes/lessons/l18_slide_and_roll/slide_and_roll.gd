@@ -44,7 +44,7 @@ func start() -> void:
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	about_to_show.connect(func() -> void: _engine.show_model(_model))
 	_engine.measured.connect(_show_readout)
-	begin(_model, _show, func() -> Array[Vec2]: return _drawing.points_to_show(_model))
+	begin(_model, _show, func() -> Array[Vec2]: return _drawing.points_to_show(_model, step))
 	about_to_show.connect(_clock.go_to.bind(0.0))
 	open_with(_play_slide)
 

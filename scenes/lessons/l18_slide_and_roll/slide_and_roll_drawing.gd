@@ -41,15 +41,16 @@ const _SPEED_STEP := 10.0
 func show_model(model: SlideAndRollModel, race: BallRace, step: int) -> void:
 	_line.lay(model.start, model.end)
 	_lay_lanes(model, step)
-	_lay_speed(model)
+	_lay_speed(model, step)
 	_card.visible = step >= SlideAndRollModel.Step.SLIP
 	var has_wrong_mark := (
 		SlideAndRollTexts.is_compared(model, step)
 		and model.mistake == SlideAndRollMistakes.THRESHOLD
 	)
-	_card.show_friction(model.friction, model.slope() if has_wrong_mark else model.mark())
+	var farthest := model.slope() if has_wrong_mark else model.mark()
+	_card.show_friction(model.friction, model.mark(), farthest)
 	_curve.visible = step >= SlideAndRollModel.Step.MARK
-	_curve.show_model(model, model.slope() if has_wrong_mark else NAN)
+	_curve.show_model(model, has_wrong_mark)
 	show_moment(model, race, step)
 	_show_verdict(model, race, step)
 
@@ -78,9 +79,10 @@ func speed_for(model: SlideAndRollModel, knob: Vec2) -> float:
 	return clampf(snappedf(wanted, _SPEED_STEP), 0.0, SlideAndRollModel.LARGEST)
 
 
-## What the board has to show: all three lines with their balls, and all that can be dragged.
-func points_to_show(model: SlideAndRollModel) -> Array[Vec2]:
-	var lane := _lane(model)
+## What the board has to show at [param step]: the line, from the race on all three, with their
+## balls, and all that can be dragged.
+func points_to_show(model: SlideAndRollModel, step: int) -> Array[Vec2]:
+	var lane := _lane(model) if step >= SlideAndRollModel.Step.RACE else Vec2.new()
 	var top := model.up().scaled(2.0 * model.radius)
 	var points: Array[Vec2] = [_speed_point(model)]
 	for end: Vec2 in [model.start, model.end]:
@@ -106,12 +108,15 @@ func _lay_lanes(model: SlideAndRollModel, step: int) -> void:
 		part.visible = step >= SlideAndRollModel.Step.RACE
 
 
-func _lay_speed(model: SlideAndRollModel) -> void:
+# Where forces are drawn there is no room for it.
+func _lay_speed(model: SlideAndRollModel, step: int) -> void:
 	var along := model.segment().along().normalized()
 	var center := model.center_at(0.0)
 	_stem.lay(center.plus(along.scaled(model.radius)), _speed_point(model))
 	_stem.keep_label_from(model.start)
 	_speed_handle.place(_speed_point(model))
+	_stem.visible = not _shows_forces(step)
+	_speed_handle.visible = not _shows_forces(step)
 
 
 func _speed_point(model: SlideAndRollModel) -> Vec2:
@@ -134,6 +139,10 @@ func _label(model: SlideAndRollModel, step: int) -> String:
 	return "   ".join(parts)
 
 
+static func _shows_forces(step: int) -> bool:
+	return step >= SlideAndRollModel.Step.PULL and step < SlideAndRollModel.Step.RACE
+
+
 # What acts on the ball: gravity with its two parts, and friction against the slip.
 func _lay_forces(model: SlideAndRollModel, shown: RacingBall, step: int) -> void:
 	var incline := model.incline(model.friction)
@@ -142,7 +151,7 @@ func _lay_forces(model: SlideAndRollModel, shown: RacingBall, step: int) -> void
 	var scale_of_forces := longest / model.gravity
 	var along := model.segment().along().normalized()
 	var center := _ball.at()
-	var is_shown := step >= SlideAndRollModel.Step.PULL and step < SlideAndRollModel.Step.RACE
+	var is_shown := _shows_forces(step)
 	_lay_force(
 		_gravity, center, Vec2.new(0.0, longest), is_shown and step == SlideAndRollModel.Step.PULL
 	)

@@ -12,9 +12,7 @@ static func sentences(model: SlideAndRollModel, race: BallRace) -> PackedStringA
 		_on_mark(model),
 		_on_roll(race),
 		_on_race(race),
-		LabText.translate(
-			"A formula is off by rounding only. Steps of 1/60 s end late, and the ball trembles."
-		),
+		_on_error(race),
 	]
 
 
@@ -76,6 +74,22 @@ static func _on_race(race: BallRace) -> String:
 		return LabText.translate("Nobody wins this race: nothing moves.")
 	return LabText.translate(
 		"Three balls race: without friction, with µ, and one that rolls from the start. Press Play."
+	)
+
+
+static func _on_error(race: BallRace) -> String:
+	match race.run_case:
+		SlideAndRollModel.Case.RESTS:
+			return LabText.translate("Nothing moves, so there is nothing to measure.")
+		SlideAndRollModel.Case.ROLLS, SlideAndRollModel.Case.ROLLS_LATER:
+			return (
+				LabText
+				. translate(
+					"The formula is off by rounding only. In frames the slip never ends: the ball trembles."
+				)
+			)
+	return LabText.translate(
+		"The formula is off by rounding only. In frames the end is seen with the next frame."
 	)
 
 

@@ -3,6 +3,8 @@ extends RefCounted
 ## How a mistake lets the ball run: with one acceleration, and from some moment on with another. It
 ## never runs back: a ball that is slowed down stops.
 
+## Its speed at the start, in px/s.
+var first_speed: float
 ## Its acceleration from the start, in px/s².
 var first: float
 ## When the other acceleration begins, in seconds; INF for never.
@@ -10,14 +12,11 @@ var change: float
 ## The other acceleration, in px/s².
 var second: float
 
-var _speed: float
-
-
 ## Starts with [param speed] px/s.
 func _init(
 	speed: float, first_acceleration: float, change_after: float, second_acceleration: float
 ) -> void:
-	_speed = speed
+	first_speed = speed
 	first = first_acceleration
 	change = change_after
 	second = second_acceleration
@@ -46,7 +45,7 @@ static func that_stops(speed: float, pull: float, grip: float) -> WrongRun:
 ## Pixels from the start after [param seconds].
 func distance_after(seconds: float) -> float:
 	var before := minf(seconds, change)
-	var way := (_speed + 0.5 * first * before) * before
+	var way := (first_speed + 0.5 * first * before) * before
 	var rest := seconds - before
 	if rest > 0.0:
 		way += (_speed_at_change() + 0.5 * second * rest) * rest
@@ -55,7 +54,7 @@ func distance_after(seconds: float) -> float:
 
 ## Seconds until it has come [param length] pixels far; INF for never.
 func time_to(length: float) -> float:
-	var before := FreeFlight.time_to_fall(length, -_speed, -first)
+	var before := FreeFlight.time_to_fall(length, -first_speed, -first)
 	if before <= change:
 		return before
 	var left := length - distance_after(change)
@@ -69,5 +68,5 @@ func stops() -> bool:
 
 # What is slowed down to 0 has no speed left by rounding.
 func _speed_at_change() -> float:
-	var speed := _speed + first * change
-	return speed if speed > 1e-12 * _speed else 0.0
+	var speed := first_speed + first * change
+	return speed if speed > 1e-12 * first_speed else 0.0
