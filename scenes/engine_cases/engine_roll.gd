@@ -19,12 +19,14 @@ var _tree: SceneTree
 var _body: RID
 var _line: LineSegment
 var _places: Array[Vec2] = []
+var _waits_for_first := true
 
 
 ## A ball like [param ball], which touches [param line], under [param gravity], downwards in px/s²,
 ## with the friction µ, in a physics space of its own below [param host], which must be in the tree.
 func _init(host: Node, ball: Ball, line: LineSegment, gravity: float, friction: float) -> void:
 	_line = line.copy()
+	_places = [ball.position.copy()]
 	_tree = host.get_tree()
 	_space = EngineSpace.new(host)
 	_space.set_gravity(gravity)
@@ -61,16 +63,22 @@ func finish() -> void:
 	_space.free()
 
 
-# Each frame begins with this: the body is where the frames before have left it. Read from the
-# physics server, because the node is one step behind.
+# Each frame begins with this: the body is where the frames before have left it, at first where it
+# starts, unless it was added during a frame. Read from the physics server, because the node is one
+# step behind.
 func _keep_place() -> void:
 	var state: Transform2D = PhysicsServer2D.body_get_state(
 		_body, PhysicsServer2D.BODY_STATE_TRANSFORM
 	)
+	var is_at_start := state.origin == _places[0].to_vector2()
+	var waits := _waits_for_first and is_at_start
+	_waits_for_first = false
+	if waits:
+		return
 	_places.append(Vec2.from_vector2(state.origin))
 	var way := _way_of(_places[-1])
 	var length := _line.length()
-	if way >= length and _places.size() > 1:
+	if way >= length:
 		var before := _way_of(_places[-2])
 		var share := (length - before) / (way - before)
 		end_time = (_places.size() - 2 + share) / Engine.physics_ticks_per_second

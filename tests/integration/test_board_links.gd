@@ -30,6 +30,8 @@ const _GOOD: Dictionary[String, Array] = {
 	"error_and_time": ["problem=digits_of_pi", "stability=true"],
 	"aim_at": ["hull_degrees=45&target=100,20", "fire=0.9&mistake=30"],
 	"lead_target": ["velocity=-180,90", "own=0,90&speed=120&mistake=104"],
+	"slide_and_roll":
+	["friction=0.125", "start=-200,0&end=200,0&speed=300&radius=15&mistake=103&has_engine=true"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -105,6 +107,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"speed=0": "s must be within 0.001..1000000, not 0.",
 		"target=2e6,0": "target must be within −1000000..1000000, not 2000000.",
 		"radius=-1": "R must be within 0..1000000, not −1.",
+	},
+	"slide_and_roll":
+	{
+		"friction=-1": "µ must be within 0..10, not −1.",
+		"gravity=0": "g must be within 0.001..1000000, not 0.",
+		"end=48,-40":
+		"The line must lead at least 1 px to the right and not climb: from (−48, −36) to (48, −40)",
 	},
 }
 

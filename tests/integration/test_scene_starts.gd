@@ -20,6 +20,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"error_and_time": [".:first_problem", "dropped_ball"],
 	&"aim_at": ["Board/Drawing/Mark:center", Vector2(60.0, 50.0)],
 	&"lead_target": ["Board/Drawing/Velocity:head", Vector2(150.0, 0.0)],
+	&"slide_and_roll": ["Board/Drawing/Line:tail", Vector2(-60.0, -40.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

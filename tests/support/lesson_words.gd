@@ -117,6 +117,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 			"mistake:",
 		],
 	},
+	&"slide_and_roll": {words = ["without friction:"]},
 	&"error_and_time":
 	{
 		words =

@@ -32,7 +32,7 @@ func _init(model: SlideAndRollModel) -> void:
 	_length = model.segment().length()
 
 
-## Whether the ball comes to the end of the line in a time that is waited for.
+## Whether the ball comes to the end of the line.
 func arrives() -> bool:
 	return ball.end_time < INF
 

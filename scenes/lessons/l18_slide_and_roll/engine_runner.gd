@@ -45,6 +45,11 @@ func show_model(model: SlideAndRollModel) -> void:
 	roll.ended.connect(measured.emit)
 
 
+## How far the body is from the ball, in pixels; as long as it is seen.
+func gap() -> float:
+	return _gap
+
+
 ## Shows where the body is after [param seconds], while the ball is at [param center].
 func show_moment(seconds: float, center: Vec2) -> void:
 	_place = roll.place_at(seconds) if roll else null

@@ -3,10 +3,7 @@ extends RefCounted
 ## A ball on the line of the lesson, by [Incline]: where it is after some seconds, how fast, and how
 ## far it has turned.
 
-## A ball that has not come to the end after so many seconds is not waited for.
-const LONGEST := 1e6
-
-## Seconds until it is at the end of the line; INF where it is not there after [constant LONGEST].
+## Seconds until it is at the end of the line; INF where nothing moves it.
 var end_time := INF
 ## Its speed there, in pixels per second.
 var end_speed := 0.0
@@ -29,7 +26,7 @@ func _init(incline: Incline, radius: float, speed: float, spin: float) -> void:
 	_radius = radius
 	_speed = speed
 	_spin = spin
-	var run := after(LONGEST)
+	var run := after(Incline.LARGEST)
 	roll_time = run.roll_time
 	if run.leaves == InclineRun.End.END:
 		end_time = run.time

@@ -75,6 +75,8 @@ const PRESETS: Dictionary[String, Dictionary] = {
 const LARGEST := 1e6
 ## No line is shorter than this, in pixels.
 const SHORTEST := 1.0
+## The smallest speed above 0, in px/s.
+const SLOWEST := 1e-3
 ## The smallest gravity, in px/s².
 const LEAST_GRAVITY := 1e-3
 ## The largest friction µ.
@@ -83,9 +85,7 @@ const MOST_FRICTION := 10.0
 const SMALLEST_RADIUS := 0.1
 const LARGEST_RADIUS := 1e4
 # How sentences on what is wrong call a number.
-const _SYMBOLS: Dictionary[String, String] = {
-	"friction": "µ", "speed": "v₀", "gravity": "g", "radius": "r"
-}
+const _SYMBOLS: Dictionary[String, String] = {"friction": "µ", "gravity": "g", "radius": "r"}
 # Two ways that differ by less than this share of the line are one.
 const _SAME_WAY := 1e-9
 
@@ -210,9 +210,8 @@ func shows_mistake() -> bool:
 	var right := ball()
 	if not wrong or run_case(right) == Case.RESTS:
 		return false
-	var until := minf(right.end_time, RacingBall.LONGEST)
 	var length := segment().length()
-	return absf(wrong.distance_after(until) - right.after(until).distance) > _SAME_WAY * length
+	return absf(wrong.distance_after(right.end_time) - length) > _SAME_WAY * length
 
 
 ## Switches a mistake on. Where it changes nothing, a preset is shown in which it does.
@@ -258,7 +257,6 @@ func problem_in(stored: Dictionary) -> String:
 	problems.append(_problem_of_line(from, to))
 	var limits: Dictionary[String, PackedFloat64Array] = {
 		"friction": [0.0, MOST_FRICTION],
-		"speed": [0.0, LARGEST],
 		"gravity": [LEAST_GRAVITY, LARGEST],
 		"radius": [SMALLEST_RADIUS, LARGEST_RADIUS],
 	}
@@ -266,6 +264,8 @@ func problem_in(stored: Dictionary) -> String:
 		var number: float = stored[key]
 		var limit := limits[key]
 		problems.append(StateCheck.within(_SYMBOLS[key], number, limit[0], limit[1]))
+	var wanted_speed: float = stored["speed"]
+	problems.append(_problem_of_speed(wanted_speed))
 	var wanted_mistake: int = stored["mistake"]
 	problems.append(StateCheck.mistake(wanted_mistake, SlideAndRollMistakes.infos()))
 	return StateCheck.first(problems)
@@ -291,6 +291,13 @@ static func _problem_of_line(from: PackedFloat64Array, to: PackedFloat64Array) -
 	)
 	var pairs := [NumberText.pair(from[0], from[1], 9), NumberText.pair(to[0], to[1], 9)]
 	return sentence % [NumberText.short(SHORTEST), pairs[0], pairs[1]]
+
+
+static func _problem_of_speed(wanted: float) -> String:
+	if wanted == 0.0 or wanted >= SLOWEST and wanted <= LARGEST:
+		return ""
+	var sentence := LabText.translate("v₀ must be 0, or within %s..%s, not %s.")
+	return sentence % [SLOWEST, LARGEST, wanted].map(NumberText.short)
 
 
 static func _put(into: Vec2, stored: Variant) -> void:

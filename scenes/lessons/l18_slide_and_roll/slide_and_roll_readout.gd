@@ -56,7 +56,7 @@ func _show_row(
 
 static func _by_formula(model: SlideAndRollModel) -> InclineRun:
 	var incline := model.incline(model.friction)
-	return incline.run(model.radius, 0.0, model.speed, 0.0, RacingBall.LONGEST)
+	return incline.run(model.radius, 0.0, model.speed, 0.0, Incline.LARGEST)
 
 
 static func _by_frames(model: SlideAndRollModel) -> InclineRun:

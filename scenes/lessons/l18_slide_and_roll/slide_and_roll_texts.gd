@@ -10,7 +10,7 @@ static func sentences(model: SlideAndRollModel, race: BallRace) -> PackedStringA
 		_on_pull(model),
 		_on_slip(model, race),
 		_on_mark(model),
-		_on_roll(race),
+		_on_roll(model, race),
 		_on_race(race),
 		_on_error(race),
 	]
@@ -52,7 +52,7 @@ static func _on_mark(model: SlideAndRollModel) -> String:
 	)
 
 
-static func _on_roll(race: BallRace) -> String:
+static func _on_roll(model: SlideAndRollModel, race: BallRace) -> String:
 	match race.run_case:
 		SlideAndRollModel.Case.RESTS:
 			return LabText.translate("Nothing moves the ball: it stays where it is.")
@@ -61,11 +61,11 @@ static func _on_roll(race: BallRace) -> String:
 				"It rolls. A third of G turns the ball, so two thirds of G move it."
 			)
 		SlideAndRollModel.Case.ROLLS_LATER:
-			return LabText.translate(
-				"It slips until t₁. Then the slip is 0, friction has no work left, and it rolls."
-			)
+			return LabText.translate("It slips until t₁. Then the slip is 0, and it rolls.")
 		SlideAndRollModel.Case.ENDS_BEFORE:
 			return LabText.translate("It slips, and the line ends before the slip is 0.")
+	if model.friction == 0.0:
+		return LabText.translate("Without friction it slips on and does not turn.")
 	return LabText.translate("Friction is too weak: it slips on, and turns too slowly to roll.")
 
 

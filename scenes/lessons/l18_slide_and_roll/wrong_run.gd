@@ -12,6 +12,7 @@ var change: float
 ## The other acceleration, in px/s².
 var second: float
 
+
 ## Starts with [param speed] px/s.
 func _init(
 	speed: float, first_acceleration: float, change_after: float, second_acceleration: float

@@ -88,6 +88,18 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Aimed": 4,
 		"RightWay": 4,
 	},
+	&"slide_and_roll":
+	{
+		"Pull": 1,
+		"Card": 2,
+		"Friction": 2,
+		"Curve": 3,
+		"Verdict": 4,
+		"SlideBall": 5,
+		"RollBall": 5,
+		"Finish": 5,
+		_TABLE: 5,
+	},
 }
 
 

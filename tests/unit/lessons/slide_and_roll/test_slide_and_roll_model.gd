@@ -168,7 +168,9 @@ func test_what_cannot_be_taken_changes_nothing() -> void:
 	var before := _model.to_dictionary()
 	assert_string_contains(_model.enter("friction", -0.5), "µ must be within 0..10, not −0.5.")
 	assert_string_contains(_model.enter("gravity", 0.0), "g must be within 0.001..1000000, not 0.")
-	assert_string_contains(_model.enter("speed", -1.0), "v₀ must be within 0..1000000, not −1.")
+	assert_string_contains(
+		_model.enter("speed", -1.0), "v₀ must be 0, or within 0.001..1000000, not −1."
+	)
 	assert_string_contains(_model.enter("radius", 0.0), "r must be within 0.1..10000, not 0.")
 	var climbs := "must lead at least 1 px to the right and not climb: from (−48, −36) to (48, −40)"
 	assert_string_contains(_model.enter("By", -40.0), climbs)
