@@ -42,6 +42,7 @@ func _lines(model: SlideAndRollModel, race: BallRace, step: int) -> PackedString
 		SlideAndRollModel.Step.SLIP:
 			found.append_array(_SLIP)
 		SlideAndRollModel.Step.MARK:
+			found.append("w = {w}   h = {h}")
 			found.append("tan = h / w = {h} / {w} = {tan}   tan / 3 = {mark}")
 			found.append(_line_on_mark(model))
 		SlideAndRollModel.Step.ROLL:
@@ -84,7 +85,7 @@ static func _lines_on_race(model: SlideAndRollModel, race: BallRace) -> PackedSt
 	return [
 		"L = {L}   {a} = {last}",
 		"t = √(2 L / {a}) = √(2·{L} / {last}) = {t_end}",
-		"{slides}: t = √(2 L / {G}) = {t_slide}",
+		"{slides}: t₀ = √(2 L / {G}) = {t_slide}",
 	]
 
 

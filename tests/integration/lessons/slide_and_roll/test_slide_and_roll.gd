@@ -33,7 +33,7 @@ func test_the_steps_lead_to_the_numbers_of_the_table() -> void:
 	assert_has(_lines(), "a = G − f = 360 − 120 = 240")
 	await go_to_step(SlideAndRollModel.Step.RACE)
 	assert_has(_lines(), "t = √(2 L / a) = √(2·120 / 240) = 1")
-	assert_has(_lines(), "without friction: t = √(2 L / G) = 0.8165")
+	assert_has(_lines(), "without friction: t₀ = √(2 L / G) = 0.8165")
 
 
 func test_the_mark_and_the_place_in_the_race_are_asked() -> void:
