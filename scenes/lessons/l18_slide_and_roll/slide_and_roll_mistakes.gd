@@ -39,14 +39,20 @@ static func run(
 ## What the gallery shows.
 static func infos() -> Array[MistakeInfo]:
 	return [
-		MistakeInfo.new(
-			THRESHOLD,
-			LabText.translate("it rolls only from µ = tan on"),
-			LabText.translate(
-				"A third of tan is enough: friction slows the slip down and turns the ball, too."
-			),
-			"test_slide_and_roll_model.test_the_threshold_tan_lets_the_ball_slip_too_long",
-			LabText.translate("The test lets the ball run with a µ between tan / 3 and tan.")
+		(
+			MistakeInfo
+			. new(
+				THRESHOLD,
+				LabText.translate("it rolls only from µ = tan on"),
+				(
+					LabText
+					. translate(
+						"A third of tan is enough: friction brakes the ball and turns it, and both end the slip."
+					)
+				),
+				"test_slide_and_roll_model.test_the_threshold_tan_lets_the_ball_slip_too_long",
+				LabText.translate("The test lets the ball run with a µ between tan / 3 and tan.")
+			)
 		),
 		MistakeInfo.new(
 			SPHERE,
@@ -61,7 +67,7 @@ static func infos() -> Array[MistakeInfo]:
 			STOPS,
 			LabText.translate("friction stops the ball"),
 			LabText.translate(
-				"Friction ends as soon as nothing slips: from then on the ball rolls at its speed."
+				"As soon as nothing slips, friction no longer stops the ball: it rolls on."
 			),
 			"test_slide_and_roll_model.test_friction_does_not_stop_a_ball_on_the_level",
 			LabText.translate(
