@@ -212,5 +212,6 @@ func _taken_places(model: SlideAndRollModel, step: int) -> PackedVector2Array:
 			places.append(board.to_screen(point))
 	if _card.get_parent() == board:
 		for share: float in [0.1, 0.5, 0.9]:
-			places.append(_card.position + _card.size * Vector2(share, 0.5))
+			for down: float in [0.0, 0.5, 1.0]:
+				places.append(_card.position + _card.size * Vector2(share, down))
 	return places

@@ -19,7 +19,7 @@ const PRESETS: Dictionary[String, Dictionary] = {
 	{
 		start = _SLOPE_START,
 		end = _SLOPE_END,
-		friction = 0.5,
+		friction = 0.4,
 		speed = 0.0,
 		gravity = 600.0,
 		radius = 10.0
@@ -94,7 +94,7 @@ var start := Vec2.new(-48.0, -36.0)
 ## ... to here: to the right, and down or level.
 var end := Vec2.new(48.0, 36.0)
 ## The friction µ between ball and line; 0 or more.
-var friction := 0.5
+var friction := 0.4
 ## The ball's speed v₀ along the line at the start, in px/s; 0 or more. It does not turn then.
 var speed := 0.0
 ## Gravity g, downwards, in px/s²; above 0.

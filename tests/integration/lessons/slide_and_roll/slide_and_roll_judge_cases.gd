@@ -87,11 +87,17 @@ const CASES: Array[Dictionary] = [
 		],
 		rows =
 		[
-			[["t, by the formula", "1 s", "0 s"], ["t, in frames of 1/60 s", "1.017 s", "0.017 s"]],
+			[
+				["t, by the formula", "1 s", "0 s"],
+				["t, in frames of 1/60 s", "1.017 s", "0.017 s"],
+				["slip at the end, in frames", "6 px/s", "6 px/s"]
+			],
 			[["t, by the formula", "1.1 s", "0 s"]],
 			[["t, by the formula", "1 s", "1e−9 s"]],
 			[["t, by the formula", "none", ""]],
 			[["t, in frames of 1/60 s", "1.017 s", "0.5 s"]],
+			[["slip at the end, in frames", "50 px/s", "50 px/s"]],
+			[["slip at the end, in frames", "6 px/s", "0 px/s"]],
 		],
 		labels = [["v₀", "µ = 0", "µ = 0.5", "rolls"], ["G"], ["µ = 0.4"], ["something new"]],
 	},

@@ -65,9 +65,9 @@ func test_a_ball_at_rest_on_the_level_stays() -> void:
 
 func test_the_threshold_tan_lets_the_ball_slip_too_long() -> void:
 	_switch_on(SlideAndRollMistakes.THRESHOLD)
-	assert_almost_eq(_wrong().first, 120.0, 1e-12)
-	assert_almost_eq(_lead(), -60.0, 1e-12)
-	assert_almost_eq(_wrong().time_to(120.0), sqrt(2.0), 1e-14)
+	assert_almost_eq(_wrong().first, 168.0, 1e-12)
+	assert_almost_eq(_lead(), -36.0, 1e-12)
+	assert_almost_eq(_wrong().time_to(120.0), sqrt(240.0 / 168.0), 1e-14)
 	# From tan on it is right again.
 	assert_no_refusal(_model.take({"friction": 0.75}))
 	assert_false(_model.shows_mistake())
