@@ -47,6 +47,8 @@ USES = {
     "aim_at": Use((279, 546), r"T = \(-80, 110\)", r"T = \(-50, 110\)", (330, 546)),
     # The tip of v.
     "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
+    # The end of the line.
+    "slide_and_roll": Use((607, 503), r"B = \(48, 36\)", r"B = \(68, 36\)", (687, 503)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
