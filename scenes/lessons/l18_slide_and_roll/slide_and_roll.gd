@@ -37,7 +37,7 @@ func start() -> void:
 	var kinds := RollExercise.Kind.size()
 	questions.offer(RollExercise.fresh, kinds, 0, RollExercise.of_the_lecture)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_pick)
 	var end := func() -> float: return _race.end(step)
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	# Not during a drag: measuring would slow it down.
@@ -68,24 +68,23 @@ func _move_line(tail: Vec2, head: Vec2) -> String:
 	elif tail.distance_to(_model.start) == 0.0:
 		end_point.x = maxf(head.x, tail.x + shortest)
 		end_point.y = maxf(head.y, tail.y)
-	return _take({"start": [start_point.x, start_point.y], "end": [end_point.x, end_point.y]})
+	return _model.take({"start": [start_point.x, start_point.y], "end": [end_point.x, end_point.y]})
 
 
 func _drag_speed(at: Vec2) -> String:
-	return _take({"speed": _drawing.speed_for(_model, at)})
+	return _model.take({"speed": _drawing.speed_for(_model, at)})
 
 
 func _point_friction(friction: float) -> String:
-	return _take({"friction": minf(friction, SlideAndRollModel.MOST_FRICTION)})
+	return _model.take({"friction": minf(friction, SlideAndRollModel.MOST_FRICTION)})
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
-	if changes.has("mistake") and not problem:
-		_model.show_mistake(_model.mistake)
-		if _model.mistake != 0 and step < SlideAndRollModel.Step.ROLL:
-			(services[&"steps"] as Steps).go_to(SlideAndRollModel.Step.RACE)
-	return problem
+# A mistake is seen in the race, and where it is right about the ball, in another preset.
+func _pick(changes: Dictionary) -> String:
+	var refusal := _model.take(changes)
+	if changes.get("mistake", 0) != 0 and step < SlideAndRollModel.Step.ROLL:
+		(services[&"steps"] as Steps).go_to(SlideAndRollModel.Step.RACE)
+	return refusal
 
 
 # What the student sees.

@@ -93,7 +93,6 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Pull": 1,
 		"Card": 2,
 		"Friction": 2,
-		"Curve": 3,
 		"Verdict": 4,
 		"SlideBall": 5,
 		"RollBall": 5,

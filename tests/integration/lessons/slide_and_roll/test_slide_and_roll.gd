@@ -40,8 +40,12 @@ func test_the_mark_and_the_place_in_the_race_are_asked() -> void:
 	for i: int in 3:
 		await student.press(&"lab_next_step")
 	assert_reads("From which µ on can the ball roll on this slope?")
+	# In a small window it lies in the panel, without its name.
+	var curve := frame().lesson.get_node("%Card").get_child(0) as FrictionCurve
+	assert_false(curve.is_visible_in_tree(), "the mark, while it is asked for")
 	await click_button("from µ = tan / 3 on")
 	assert_eq(frame().lesson.step, SlideAndRollModel.Step.MARK)
+	assert_true(curve.visible)
 	await student.press(&"lab_next_step")
 	await student.press(&"lab_next_step")
 	assert_reads("Where is your ball when the one without friction is at the end?")

@@ -98,7 +98,7 @@ func test_every_mistake_shows_as_soon_as_it_is_switched_on() -> void:
 	for info: MistakeInfo in SlideAndRollMistakes.infos():
 		_model = SlideAndRollModel.new()
 		assert_no_refusal(_model.take({"friction": 0.25}))
-		_model.show_mistake(info.number)
+		_switch_on(info.number)
 		assert_true(_model.shows_mistake(), info.title)
 
 
