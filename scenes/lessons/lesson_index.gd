@@ -23,6 +23,7 @@ const FOLDERS: PackedStringArray = [
 	"l16_bank_shot",
 	"l17_timed_shot",
 	"l18_newton_balls",
+	"l19_slide_and_roll",
 ]
 
 ## What a lesson is, `%` its folder.

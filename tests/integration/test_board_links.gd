@@ -40,6 +40,8 @@ const _GOOD: Dictionary[String, Array] = {
 		"bounciness=0.5&mistake=25",
 		"balls=-3,0,4,1,1;3,0,0,0,1;0,5,0,0,2&has_box=true&has_newton=false"
 	],
+	"slide_and_roll":
+	["friction=0.125", "start=-200,0&end=200,0&speed=300&radius=15&mistake=103&has_engine=true"],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -146,6 +148,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"balls=0,0,1,0,0;9,0,0,0,1": "m of ball 1 must be within 0.01..100, not 0.",
 		"balls=0,0,1,0,1": "There must be 2 to 50 balls, not 1.",
 		"balls=0,0,1,0,1;11.5,0,0,0,1&has_box=true": "Ball 2 must be in the box.",
+	},
+	"slide_and_roll":
+	{
+		"friction=-1": "µ must be within 0..10, not −1.",
+		"gravity=0": "g must be within 0.001..1000000, not 0.",
+		"end=48,-40":
+		"The line must lead at least 1 px to the right and not climb: from (−48, −36) to (48, −40)",
 	},
 }
 

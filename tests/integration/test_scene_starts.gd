@@ -24,6 +24,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"timed_shot": ["Board/Drawing/Start:point", Vector2(-200.0, -50.0)],
 	&"bank_shot": ["Board/Drawing/Wall1:head", Vector2(480.0, 280.0)],
 	&"newton_balls": ["Board/Drawing/Ball1:head", Vector2(-2.0, -2.0)],
+	&"slide_and_roll": ["Board/Drawing/Line:tail", Vector2(-60.0, -40.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

@@ -141,6 +141,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 		not_shown = ["n", "X", "f"],
 	},
 	&"newton_balls": {words = ["mistake:"], not_shown = ["c₁", "c₂"]},
+	&"slide_and_roll": {words = ["without friction:"]},
 	&"error_and_time":
 	{
 		words =

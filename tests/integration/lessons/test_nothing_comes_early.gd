@@ -116,6 +116,17 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		_TABLE: 3,
 		"Orders": 4,
 	},
+	&"slide_and_roll":
+	{
+		"Pull": 1,
+		"Card": 2,
+		"Friction": 2,
+		"Verdict": 4,
+		"SlideBall": 5,
+		"RollBall": 5,
+		"Finish": 5,
+		_TABLE: 5,
+	},
 }
 
 
