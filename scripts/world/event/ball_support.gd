@@ -73,11 +73,7 @@ func _is_held_by_two(index: int) -> bool:
 
 # Whether a ball cannot rise by REST_HEIGHT.
 func _can_hardly_rise(index: int) -> bool:
-	return _squared_speed(index) <= _least_squared_speed()
-
-
-func _least_squared_speed() -> float:
-	return 2.0 * sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y) * REST_HEIGHT
+	return _squared_speed(index) <= _least_squared_speed
 
 
 # Whether the ball touches this point, and the two normals enclose the direction against gravity. At
@@ -90,7 +86,7 @@ func _holds_at(index: int, point: Vec2) -> bool:
 		return false
 	if absf(_normal_x * dy - _normal_y * dx) <= LEAST_ANGLE * distance:
 		return false
-	for tilt in _spins.tilts(index, _least_squared_speed()):
+	for tilt in _spins.tilts(index, _least_squared_speed):
 		_pressure = TwoSurfaces.pressure(
 			_normal_x, _normal_y, dx, dy, distance, _gravity_x, _gravity_y, tilt
 		)

@@ -12,6 +12,8 @@ extends BallSupport
 # Gravity, bounciness, friction, walls or segments may have been changed.
 func _take_settings() -> void:
 	_takes_short_ways = _is_weightless() and _friction == 0.0
+	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
+	_least_squared_speed = 2.0 * strength * REST_HEIGHT
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
 	if _friction > 0.0:
 		var gravity := Vec2.new(_gravity_x, _gravity_y)

@@ -102,6 +102,8 @@ var _bounciness := 1.0
 var _friction := 0.0
 # Whether there is neither gravity nor friction, so that the laws that are written out hold.
 var _takes_short_ways := true
+# With this squared speed a ball rises by BallSupport.REST_HEIGHT, in (px/s)².
+var _least_squared_speed := 0.0
 
 #endregion
 
