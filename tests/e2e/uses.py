@@ -48,7 +48,7 @@ USES = {
     # The tip of v.
     "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
     # The tip of v₁: one unit to the left.
-    "newton_balls": Use((415, 252), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 252)),
+    "newton_balls": Use((415, 279), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 279)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
