@@ -169,4 +169,8 @@ func _fly_to_bounce(seconds: float) -> bool:
 func _bounce_as_off_a_wall(event: WorldEvent) -> void:
 	var ball := _world.ball(event.ball)
 	ball.velocity = event.velocity_before.reflected(event.normal, _bounciness)
+	if _bounciness < 1.0:
+		# At C = 0 rounding would have them meet again at once, and for ever.
+		var size := event.velocity_before.length()
+		ball.velocity.add(event.normal.scaled(BallPiles.LEAST_SHARE * size))
 	Refusal.push(_world.change_ball(event.ball, ball))
