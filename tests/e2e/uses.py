@@ -54,7 +54,7 @@ USES = {
     # Where the target starts.
     "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
     # The tip of v₁: one unit to the left.
-    "newton_balls": Use((415, 252), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 252)),
+    "newton_balls": Use((415, 279), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 279)),
     # The end of the line.
     "slide_and_roll": Use((607, 503), r"B = \(48, 36\)", r"B = \(68, 36\)", (687, 503)),
     # The tip of a.

@@ -1,5 +1,5 @@
 extends LabTest
-## Godot's own body on a line with friction: where it starts, that its frames are kept, about when it
+## Godot's own body on a line with friction: where it starts, that its frames are kept, when it
 ## comes to the end, and that nothing is left of it.
 
 # So many frames at most until a run is over.

@@ -89,6 +89,6 @@ func _common_lines(codes: Array[PackedStringArray]) -> PackedStringArray:
 	for code: PackedStringArray in codes:
 		for line: String in code:
 			var places := codes.filter(func(other: PackedStringArray) -> bool: return line in other)
-			if places.size() >= maxf(_FEWEST, floorf(0.25 * codes.size())) and not line in found:
+			if places.size() >= maxf(_FEWEST, 0.25 * codes.size()) and not line in found:
 				found.append(line)
 	return found

@@ -38,7 +38,7 @@ var _bounciness: float
 
 ## Of these balls, in the box or not. Without [param has_newton] each ball bounces off another one
 ## as off a wall.
-func _init(balls: Array[Ball], bounciness: float, has_box: bool, has_newton: bool) -> void:
+func _init(at_start: Array[Ball], bounciness: float, has_box: bool, has_newton: bool) -> void:
 	_has_newton = has_newton
 	_bounciness = bounciness
 	_world.keeps_events = true
@@ -46,7 +46,7 @@ func _init(balls: Array[Ball], bounciness: float, has_box: bool, has_newton: boo
 	if has_box:
 		var corner := Vec2.new(HALF_BOX[0], HALF_BOX[1])
 		Refusal.push(_world.set_walls(corner.negated(), corner))
-	Refusal.push(_world.set_balls(balls))
+	Refusal.push(_world.set_balls(at_start))
 	_kept.append(_world.snapshot())
 	_find_meeting()
 	_put_back(_kept[0])
@@ -169,4 +169,8 @@ func _fly_to_bounce(seconds: float) -> bool:
 func _bounce_as_off_a_wall(event: WorldEvent) -> void:
 	var ball := _world.ball(event.ball)
 	ball.velocity = event.velocity_before.reflected(event.normal, _bounciness)
+	if _bounciness < 1.0:
+		# At C = 0 rounding would have them meet again at once, and for ever.
+		var size := event.velocity_before.length()
+		ball.velocity.add(event.normal.scaled(BallPiles.LEAST_SHARE * size))
 	Refusal.push(_world.change_ball(event.ball, ball))

@@ -10,7 +10,8 @@ const _LANE := 0.24
 # Two arrows with less than this between them, as a share of the longest one, lie along each other.
 const _FLAT := 0.15
 # Between both pictures, and beside them: names stand there.
-const _GAP := 0.7
+const _BETWEEN := 1.1
+const _BESIDE := 0.4
 
 var _points: Array[Vec2] = []
 
@@ -29,7 +30,7 @@ func show_momenta(before: Array[Vec2], after: Array[Vec2]) -> void:
 	var longest := 1e-300
 	for momentum: Vec2 in before + after + [before[0].plus(before[1])]:
 		longest = maxf(longest, momentum.length())
-	var gap := _GAP * longest
+	var gap := _BETWEEN * longest
 	var left := _chain(before, longest)
 	var right := _chain(after, longest)
 	var room_left := _bounds(left)
@@ -40,7 +41,7 @@ func show_momenta(before: Array[Vec2], after: Array[Vec2]) -> void:
 	var up := -(low + high) / 2.0
 	_lay(_before, left, Vec2.new(-width / 2.0 - room_left[0].x, up))
 	_lay(_after, right, Vec2.new(width / 2.0 - room_right[1].x, up))
-	_points = [Vec2.new(width / 2.0 + gap, (high - low) / 2.0)]
+	_points = [Vec2.new(width / 2.0 + _BESIDE * longest, (high - low) / 2.0)]
 	fit(_points)
 
 

@@ -16,20 +16,17 @@ var _model := NewtonBallsModel.new()
 var _run: BallRun
 # The state of which it is the run.
 var _flown: Dictionary = {}
-var _seconds := 0.0
-# The ball that is dragged by its disc, -1 for none, and from the pointer to its centre.
-var _held := -1
-var _grip := Vec2.new()
 var _formula: NewtonBallsFormula
 var _readout: NewtonBallsReadout
 var _clock: FlightClock
+var _drags: NewtonBallsDrags
 
 @onready var _drawing: NewtonBallsDrawing = %Drawing
 
 
 func start() -> void:
 	_put_start()
-	_let_drag()
+	_drags = NewtonBallsDrags.new(self, _model, _drawing)
 	_put_card_into_panel()
 	_formula = NewtonBallsFormula.new(services[&"formula"] as Formula)
 	_readout = NewtonBallsReadout.new(services[&"readout"] as Readout)
@@ -43,7 +40,7 @@ func start() -> void:
 	on_enter(_enter)
 	on_pick(_take)
 	_follow_keys()
-	_run = _model.run()
+	_fly(_model.run())
 	var end := func() -> float: return _run.end
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	_clock.longest_shown = BallRun.LONGEST
@@ -78,66 +75,6 @@ func _put_start() -> void:
 		_model.balls.append([tail.x, tail.y, velocity.x, velocity.y, mass])
 
 
-func _let_drag() -> void:
-	for place: int in _drawing.vectors().size():
-		var vector := _drawing.vectors()[place]
-		on_drag(vector.moved, vector.released, _drag_vector.bind(place))
-	for number: int in 2:
-		var handle := get_node("%%Mass%d" % (number + 1)) as Handle
-		on_drag(handle.moved, handle.released, _drag_mass.bind(number))
-	var bounciness := %Bounciness as Handle
-	on_drag(bounciness.moved, bounciness.released, _drag_bounciness)
-	on_point(MOUSE_BUTTON_LEFT, _drag_disc)
-	board.released.connect(func() -> void: _held = -1)
-
-
-# What the student does. The balls as they fly are the new start.
-
-
-func _drag_vector(tail: Vec2, head: Vec2, place: int) -> String:
-	_stop_balls()
-	var index := _drawing.ball_of(place)
-	var ball := _model.world_balls()[index]
-	if tail.distance_to(ball.position) > 0.0:
-		return _model.move_ball(index, tail)
-	return _model.set_velocity(index, head.minus(tail))
-
-
-func _drag_mass(knob: Vec2, number: int) -> String:
-	_stop_balls()
-	return _model.set_mass(number, _drawing.mass_for(_model.world_balls()[number].position, knob))
-
-
-func _drag_bounciness(knob: Vec2) -> void:
-	_stop_balls()
-	_model.bounciness = _drawing.bounciness_for(knob)
-
-
-# A ball is dragged by any point of its disc.
-func _drag_disc(at: Vec2) -> String:
-	if _held < 0:
-		_held = _ball_at(at)
-		if _held < 0:
-			return ""
-		_grip = _run.balls()[_held].position.minus(at)
-	_stop_balls()
-	return _model.move_ball(_held, board.snapped_to_step(at.plus(_grip)))
-
-
-func _ball_at(at: Vec2) -> int:
-	var balls := _run.balls()
-	for index: int in balls.size():
-		if at.distance_to(balls[index].position) <= balls[index].radius:
-			return index
-	return -1
-
-
-func _stop_balls() -> void:
-	if _seconds > 0.0:
-		_model.start_from(_run.balls())
-		_seconds = 0.0
-
-
 func _enter(name_in_line: String, value: float) -> String:
 	var meeting := _run.meeting
 	var first := meeting.first if meeting else 0
@@ -170,13 +107,18 @@ func _fly_anew() -> void:
 	wanted.erase("mistake")
 	if wanted != _flown:
 		_flown = wanted
-		_run = _model.run()
+		_fly(_model.run())
 		_clock.go_to(0.0)
+
+
+func _fly(run: BallRun) -> void:
+	_run = run
+	_drags.run = run
 
 
 # While the balls fly, nothing else has to be shown anew.
 func _show_moment(seconds: float) -> void:
-	_seconds = seconds
+	_drags.seconds = seconds
 	_run.go_to(seconds)
 	if _run.refusal:
 		noticed.emit(_run.refusal)
@@ -194,7 +136,7 @@ func _show() -> void:
 	_ask(meeting)
 	tell_steps(NewtonBallsTexts.sentences(_model, meeting))
 	tell_code(NewtonBallsCode.lines(meeting, step), NewtonBallsCode.inputs(meeting))
-	_drawing.show_model(_model, _run, _seconds, step)
+	_drawing.show_model(_model, _run, _drags.seconds, step)
 	_formula.show_model(_model, meeting, step)
 	_readout.show_model(meeting, step)
 
@@ -209,8 +151,8 @@ func _ask(meeting: BallMeeting) -> void:
 	ask_before(
 		NewtonBallsModel.Step.AFTER,
 		NewtonBallsTexts.question_on_velocity(),
-		func() -> Vec2: return _head_after(meeting) if meeting else null,
-		func() -> Vec2: return _head_before(meeting)
+		func() -> Vec2: return _drawing.head_after(_model, meeting) if meeting else null,
+		func() -> Vec2: return _drawing.head_before(_model, meeting)
 	)
 	ask_choice_before(
 		NewtonBallsModel.Step.ENERGY,
@@ -218,16 +160,3 @@ func _ask(meeting: BallMeeting) -> void:
 		NewtonBallsTexts.choices_on_energy(),
 		func() -> int: return NewtonBallsTexts.right_about_energy(meeting)
 	)
-
-
-func _head_before(meeting: BallMeeting) -> Vec2:
-	return _head_of(meeting, meeting.one.velocity)
-
-
-func _head_after(meeting: BallMeeting) -> Vec2:
-	return _head_of(meeting, meeting.velocities_after()[0])
-
-
-# Where a velocity of ball 1 ends, in the picture of the meeting.
-func _head_of(meeting: BallMeeting, velocity: Vec2) -> Vec2:
-	return meeting.one.position.plus(_drawing.drop(_model, meeting)).plus(velocity)

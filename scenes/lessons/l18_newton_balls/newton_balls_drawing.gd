@@ -45,6 +45,20 @@ var _indices: PackedInt32Array = []
 @onready var _verdict: VerdictCard = %Verdict
 
 
+## Where the velocity of ball 1 before the meeting ends, in the picture of the meeting.
+func head_before(model: NewtonBallsModel, meeting: BallMeeting) -> Vec2:
+	return _head_of(model, meeting, meeting.one.velocity)
+
+
+## The same after the meeting.
+func head_after(model: NewtonBallsModel, meeting: BallMeeting) -> Vec2:
+	return _head_of(model, meeting, meeting.velocities_after()[0])
+
+
+func _head_of(model: NewtonBallsModel, meeting: BallMeeting, velocity: Vec2) -> Vec2:
+	return meeting.one.position.plus(drop(model, meeting)).plus(velocity)
+
+
 func _ready() -> void:
 	for number: int in MOST_ARROWS:
 		_vectors.append(get_node("%%Ball%d" % (number + 1)) as DraggableVector)

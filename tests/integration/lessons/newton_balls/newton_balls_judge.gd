@@ -318,9 +318,9 @@ func _is_number_shown(line: String, words: String, wanted: float) -> bool:
 
 
 static func _is_pair_shown(line: String, words: String, wanted: Vec2, size: float) -> bool:
-	var pair := line.substr(line.find(words) + words.length()).trim_prefix("(").get_slice(")", 0)
-	var x := SeenLesson.first_number(pair.get_slice(", ", 0))
-	var y := SeenLesson.first_number(pair.get_slice(", ", 1))
+	var parts := line.substr(line.find(words) + words.length()).trim_prefix("(").get_slice(")", 0)
+	var x := SeenLesson.first_number(parts.get_slice(", ", 0))
+	var y := SeenLesson.first_number(parts.get_slice(", ", 1))
 	var rounding := _ROUNDING * size
 	return SeenLesson.is_close(x, wanted.x, rounding) and SeenLesson.is_close(y, wanted.y, rounding)
 
