@@ -1,7 +1,7 @@
 class_name NewtonBallsDrags
 extends RefCounted
-## What the student drags in the lesson on balls: a ball by its handle or its disc, its velocity, its
-## mass, and the bounciness. The balls as they fly then are the new start.
+## What the student drags in the lesson on balls: a ball by its handle or its disc, its velocity,
+## its mass, and the bounciness. The balls as they fly then are the new start.
 
 ## The balls as they fly.
 var run: BallRun
