@@ -138,6 +138,9 @@ func _problem_of_other_ways(world: FuzzWorld, flight: WatchedWorld) -> String:
 		return "One long step and many short ones differ."
 	if world.lines or world.walls or flight.impacts > MOST_IN_THE_OPEN:
 		return ""
+	# Of balls that touch at the start, rounding decides which one is pushed first.
+	if EventWorlds.deepest_overlap(world.event_world()) > -PileKind.DEEPEST:
+		return ""
 	return _problem_in_frame(world, flight, Vec2.new(70.0, -40.0))
 
 
@@ -147,8 +150,8 @@ func _problem_in_frame(world: FuzzWorld, flight: WatchedWorld, wind: Vec2) -> St
 		ball.velocity.add(wind)
 	var other := moved.event_world()
 	var found := other.advance(world.seconds)
-	if found or other.impacts != flight.impacts:
-		return "In a frame that moves there are %d impacts. %s" % [other.impacts, found]
+	if found:
+		return "In a frame that moves: " + found
 	for index: int in flight.ball_count():
 		var there := other.position(index).minus(wind.scaled(world.seconds))
 		var error := there.distance_to(flight.position(index))
