@@ -18,7 +18,8 @@ func test_a_card_is_in_the_panel_of_a_phone_and_on_a_wide_board() -> void:
 		await resize(_PHONE)
 		var card := await _open_card(id)
 		assert_true(_is_in_panel(card), id)
-		assert_gt(card.size.y, 100.0, id)
+		# A timeline is as high as its one row, anything else higher.
+		assert_gt(card.size.y, 80.0 if id == &"timed_shot" else 100.0, id)
 		await resize(_WIDE)
 		assert_false(_is_in_panel(card), id)
 		var place := card.get_global_rect()

@@ -3,7 +3,14 @@ extends ScreenTest
 ## handles, keys and guesses work, and no number of the board changes.
 
 const _KEEPING_Y_DOWN: Array[StringName] = [
-	&"class_or_value", &"easy_bounce", &"angled_lines", &"error_and_time"
+	&"class_or_value",
+	&"easy_bounce",
+	&"angled_lines",
+	&"error_and_time",
+	&"aim_at",
+	&"ballistic_aim",
+	&"timed_shot",
+	&"slide_and_roll",
 ]
 
 
