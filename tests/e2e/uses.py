@@ -47,12 +47,14 @@ USES = {
     "aim_at": Use((279, 546), r"T = \(-80, 110\)", r"T = \(-50, 110\)", (330, 546)),
     # The tip of v.
     "lead_target": Use((620, 359), r"v = \(0, 90\)", r"v = \(40, 90\)", (688, 359)),
-    # The target, nearer to the shooter.
-    "ballistic_aim": Use((743, 358), r"P = \(200, 0\)", r"P = \(160, 0\)", (678, 358)),
-    # The ball at S.
-    "bank_shot": Use((237, 194), r"S = \( 100 , 100 \)", r"S = \( 100 , 80 \)", (237, 167)),
+    # The next step.
+    "ballistic_aim": Use((1244, 110), r"Step 1 of 6", r"Step 2 of 6"),
+    # The next step.
+    "bank_shot": Use((1244, 110), r"Step 1 of 6", r"Step 2 of 6"),
     # Where the target starts.
     "timed_shot": Use((175, 278), r"T = \(-300, -100\)", r"T = \(-200, -100\)", (255, 278)),
+    # The button that fires, below the board.
+    "aiming_game": Use((754, 621), r"shots: 0", r"shots: 1"),
     # The tip of v₁: one unit to the left.
     "newton_balls": Use((415, 279), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 279)),
     # The end of the line.
@@ -61,6 +63,4 @@ USES = {
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
     "error_and_time": Use((1246, 152), r"Step 1 of 3", r"has the smallest error\?|Step 2 of 3"),
-    # The button that fires, below the board.
-    "aiming_game": Use((754, 621), r"shots: 0", r"shots: 1"),
 }
