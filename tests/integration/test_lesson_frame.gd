@@ -19,8 +19,8 @@ func test_the_panel_holds_the_needed_services_in_their_order() -> void:
 	for lesson: LessonInfo in LessonIndex.lessons() + [_CLOCK]:
 		await open_lesson(lesson)
 		# A lesson may put a card of its own between them.
-		var all := frame().lesson.services.values()
-		var shown := _services().filter(func(part: Node) -> bool: return part in all)
+		var all: Array = frame().lesson.services.values()
+		var shown: Array[Node] = _services().filter(func(part: Node) -> bool: return part in all)
 		assert_eq(shown.size(), lesson.needs.size(), lesson.id)
 		for i: int in lesson.needs.size():
 			assert_same(shown[i], frame().lesson.services[StringName(lesson.needs[i])])
