@@ -43,7 +43,7 @@ var _is_high := false
 static func of_shot(
 	kind: Kind, direction: Vec2, with_speed: float, with_gravity: float, seconds: float
 ) -> BallisticAimExercise:
-	var exercise := BallisticAimExercise.new()
+	var exercise: BallisticAimExercise = new()
 	exercise._kind = kind
 	exercise.speed = with_speed
 	exercise.gravity = with_gravity
@@ -64,7 +64,7 @@ static func of_shot(
 static func of_target(
 	kind: Kind, at: Vec2, with_speed: float, with_gravity: float
 ) -> BallisticAimExercise:
-	var exercise := BallisticAimExercise.new()
+	var exercise: BallisticAimExercise = new()
 	exercise._kind = kind
 	exercise.target = at
 	exercise.speed = with_speed

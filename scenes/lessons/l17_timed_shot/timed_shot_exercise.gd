@@ -31,7 +31,7 @@ var _solution: String
 static func on_line(
 	flight: float, in_front: float, speed: float, target_speed: float
 ) -> TimedShotExercise:
-	var exercise := TimedShotExercise.new()
+	var exercise: TimedShotExercise = new()
 	var target := Vec2.new(-target_speed * in_front, _MUZZLE_Y - speed * flight)
 	exercise._set_board(speed, target, target_speed, 10.0)
 	exercise._ask_line(target, flight, in_front, speed, target_speed)
@@ -41,14 +41,14 @@ static func on_line(
 ## A target on a circle that turns [param turn] degrees a second and has [param turned] degrees to
 ## go to X; the bullet needs [param flight] seconds to X.
 static func on_circle(flight: float, turned: float, turn: float) -> TimedShotExercise:
-	var exercise := TimedShotExercise.new()
+	var exercise: TimedShotExercise = new()
 	exercise._ask_circle(flight, turned, turn)
 	return exercise
 
 
 ## A bullet and a target with these speeds, straight across each other, and these radii together.
 static func of_window(speed: float, target_speed: float, radius: float) -> TimedShotExercise:
-	var exercise := TimedShotExercise.new()
+	var exercise: TimedShotExercise = new()
 	var target := Vec2.new(-3.0 * target_speed, _MUZZLE_Y - speed)
 	exercise._set_board(speed, target, target_speed, radius)
 	exercise._ask_window(speed, target_speed, radius)
