@@ -42,9 +42,8 @@ func look_at(
 		last = steps.step
 		var step := "%s, step %d" % [where, last + 1]
 		await _look(step)
-		# A card with larger text takes more room than a phone has beside the drawing, and turned over
-		# the heads in the space of the last lesson of the lecture come together.
-		if WindowFit.text_size() == WindowFit.TEXT_SIZES[0] and not Conventions.is_y_up():
+		# A card with larger text takes more room than a phone has beside the drawing.
+		if WindowFit.text_size() == WindowFit.TEXT_SIZES[0]:
 			for problem in _texts.covered_ones():
 				_note(problem, step)
 		steps.go_to(last + 1)

@@ -14,6 +14,8 @@ signal head_released
 # The arc of the angle: pixels from the origin, and how many strokes it has.
 const _ARC_PIXELS := 46.0
 const _STROKES := 24
+# Where heads are seen nearer to each other than this, in pixels, one name is beside its arrow.
+const _NAMES_APART := 30.0
 
 ## Radians for each pixel of a drag.
 const _TURN_PER_PIXEL := 0.01
@@ -73,6 +75,7 @@ func show_model(model: MoreDimensionsModel, step: int) -> void:
 	_ticks.show_view(view, _reach)
 	_lay(view, model.a, _arrow_of_a, _head_of_a, 0)
 	_lay(view, model.b, _arrow_of_b, _head_of_b, 1)
+	_part_names()
 	_lay_shadow(model, step)
 	_lay_arc(model, step)
 
@@ -87,6 +90,12 @@ func _lay(
 	handle.place(head)
 	_floors[index].lay(Vec2.new(), foot)
 	_drops[index].lay(foot, head)
+
+
+func _part_names() -> void:
+	var apart := to_screen(_head_of_a.at()).distance_to(to_screen(_head_of_b.at()))
+	var is_crowded := apart < _NAMES_APART
+	_arrow_of_a.label_place = Arrow.LabelPlace.MIDDLE if is_crowded else Arrow.LabelPlace.HEAD
 
 
 func _lay_shadow(model: MoreDimensionsModel, step: int) -> void:

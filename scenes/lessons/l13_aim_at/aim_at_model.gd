@@ -12,13 +12,12 @@ enum Case { NO_DIRECTION, TOO_NEAR, HITS }
 const _HULL: PackedFloat64Array = [-80.0, -70.0]
 ## Presets by their titles (source text): what each changes in the model's state.
 const PRESETS: Dictionary[String, Dictionary] = {
-	"Hull at 30°":
-	{hull = _HULL, hull_degrees = 30.0, barrel_degrees = 0.0, target = [-80.0, 110.0]},
-	"Hull turned round":
+	"30°": {hull = _HULL, hull_degrees = 30.0, barrel_degrees = 0.0, target = [-80.0, 110.0]},
+	"Turned":
 	{hull = [80.0, 0.0], hull_degrees = 180.0, barrel_degrees = 0.0, target = [-100.0, 0.0]},
 	"Over 180°":
 	{hull = [80.0, 60.0], hull_degrees = 45.0, barrel_degrees = 90.0, target = [-50.0, -70.0]},
-	"Straight behind":
+	"Behind":
 	{hull = [-80.0, 0.0], hull_degrees = 0.0, barrel_degrees = 0.0, target = [-200.0, 0.0]},
 	"Too near":
 	{hull = [0.0, 0.0], hull_degrees = 0.0, barrel_degrees = 0.0, target = [20.0, 20.0]},
@@ -150,7 +149,7 @@ func shows_mistake() -> bool:
 ## Switches a mistake on. Where it changes nothing, a preset is shown in which it does.
 func show_mistake(number: int) -> void:
 	mistake = number
-	for preset: String in ["Hull at 30°", "Over 180°"]:
+	for preset: String in ["30°", "Over 180°"]:
 		if number != 0 and not shows_mistake():
 			Refusal.push(take(PRESETS[preset]))
 

@@ -6,9 +6,7 @@ extends RefCounted
 ## One sentence a step, translated.
 static func sentences(model: AimAtModel, shots: AimShots) -> PackedStringArray:
 	return [
-		LabText.translate(
-			"The barrel turns on the hull: it points along γ = α + β. Drag both, or press Play."
-		),
+		LabText.translate("The barrel turns on the hull: it points along γ = α + β. Drag both."),
 		LabText.translate(
 			"A shot that gravity pulls turns its sprite with v: its angle is atan2(vy, vx)."
 		),

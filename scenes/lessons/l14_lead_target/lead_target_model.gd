@@ -14,7 +14,7 @@ const _SHOOTER: PackedFloat64Array = [-120.0, -90.0]
 const _TARGET: PackedFloat64Array = [120.0, -90.0]
 ## Presets by their titles (source text): what each changes in the model's state.
 const PRESETS: Dictionary[String, Dictionary] = {
-	"Crossing":
+	"Across":
 	{
 		shooter = _SHOOTER,
 		target = _TARGET,
@@ -32,7 +32,7 @@ const PRESETS: Dictionary[String, Dictionary] = {
 		speed = 150.0,
 		radius = 0.0
 	},
-	"With a radius":
+	"Radius":
 	{
 		shooter = _SHOOTER,
 		target = _TARGET,
@@ -40,6 +40,15 @@ const PRESETS: Dictionary[String, Dictionary] = {
 		own = [0.0, 0.0],
 		speed = 135.0,
 		radius = 30.0
+	},
+	"At rest":
+	{
+		shooter = _SHOOTER,
+		target = _TARGET,
+		velocity = [0.0, 0.0],
+		own = [0.0, 0.0],
+		speed = 150.0,
+		radius = 0.0
 	},
 	"Passes by":
 	{
@@ -75,15 +84,6 @@ const PRESETS: Dictionary[String, Dictionary] = {
 		velocity = [-90.0, 120.0],
 		own = [0.0, 0.0],
 		speed = 150.0000000001,
-		radius = 0.0
-	},
-	"At rest":
-	{
-		shooter = _SHOOTER,
-		target = _TARGET,
-		velocity = [0.0, 0.0],
-		own = [0.0, 0.0],
-		speed = 150.0,
 		radius = 0.0
 	},
 }
@@ -192,7 +192,7 @@ func shows_mistake() -> bool:
 ## Switches a mistake on. Where it changes nothing, a preset is shown in which it does.
 func show_mistake(number: int) -> void:
 	mistake = number
-	for preset: String in ["Crossing", "Moving shooter"]:
+	for preset: String in ["Across", "Moving shooter"]:
 		if number != 0 and not shows_mistake():
 			Refusal.push(take(PRESETS[preset]))
 

@@ -22,7 +22,7 @@ func show_model(model: BallisticAimModel, step: BallisticAimModel.Step) -> void:
 
 
 func _lines(model: BallisticAimModel, step: BallisticAimModel.Step) -> PackedStringArray:
-	var found: PackedStringArray = ["{P} = ( {x} , {y} )     {s_} = {s}     {g_} = {g}"]
+	var found: PackedStringArray = ["{P} = ( {x} , {y} )   {s_} = {s}   {g_} = {g}"]
 	if model.moves:
 		found.append("{V} = ( {vx} , {vy} )")
 	if model.target.length() == 0.0:

@@ -50,7 +50,7 @@ func _lines(model: BankShotModel, way: BankWay, step: BankShotModel.Step) -> Pac
 func _lines_of_walls(model: BankShotModel) -> PackedStringArray:
 	var found: PackedStringArray = []
 	for number in range(1, model.board.walls.size() + 1):
-		var line := tr("wall %d: ( {ax} , {ay} ) to ( {bx} , {by} )") % number
+		var line := tr("%d: ( {ax} , {ay} ) to ( {bx} , {by} )") % number
 		for name_of_end: String in ["ax", "ay", "bx", "by"]:
 			line = line.replace("{%s}" % name_of_end, "{%s%d}" % [name_of_end, number])
 		found.append(line)

@@ -23,14 +23,13 @@ func show_model(model: TimedShotModel, step: TimedShotModel.Step) -> void:
 
 
 func _lines(model: TimedShotModel, step: TimedShotModel.Step) -> PackedStringArray:
-	var found: PackedStringArray = [_typed("S", "s"), _typed("W", "w"), _typed("T", "t")]
+	var moves := "C" if model.kind == TimedShotModel.Kind.CIRCLE else "V"
+	var found: PackedStringArray = [_typed("S", "W"), _typed("T", moves)]
 	match model.kind:
 		TimedShotModel.Kind.CIRCLE:
-			found.append("%s     %s" % [_typed("C", "c"), tr("turn") + " = {circling}°"])
+			found.append(tr("turn") + " = {circling}°")
 		TimedShotModel.Kind.TURNING:
-			found.append("%s     %s" % [_typed("V", "v"), tr("turn") + " = {turning}°"])
-		_:
-			found.append(_typed("V", "v"))
+			found.append(tr("turn") + " = {turning}°")
 	if step == TimedShotModel.Step.CROSS:
 		found.append_array(_crossing_lines(model))
 	elif step == TimedShotModel.Step.WINDOW:
@@ -42,8 +41,10 @@ func _lines(model: TimedShotModel, step: TimedShotModel.Step) -> PackedStringArr
 	return found
 
 
-static func _typed(symbol: String, letter: String) -> String:
-	return _PAIR % [symbol, letter, letter]
+# Two pairs that can be typed over.
+static func _typed(first: String, second: String) -> String:
+	var one := _PAIR % [first, first.to_lower(), first.to_lower()]
+	return one + "   " + _PAIR % [second, second.to_lower(), second.to_lower()]
 
 
 func _crossing_lines(model: TimedShotModel) -> PackedStringArray:

@@ -26,8 +26,8 @@ const NO_BREAK_SPACE := "\u00a0"
 const _NARROW := 400.0
 # What a finger can hit: a choice may be one letter.
 const _SMALLEST_BUTTON := Vector2(44.0, 44.0)
-# Letters at the end of a sentence between which no line ends.
-const _ENDING := 12
+# The last line of a sentence has at least so many letters.
+const _ENDING := 8
 
 ## The step that is shown, counted from 0: the first one at the start.
 var step: int:
@@ -100,9 +100,11 @@ static func kept_together(sentence: String) -> String:
 
 ## [param text] with no short word left alone in its last line.
 static func with_whole_ending(text: String) -> String:
-	# A space right before the last letters may break.
-	var ending := text.right(_ENDING).strip_edges(true, false)
-	return text.left(text.length() - ending.length()) + ending.replace(" ", NO_BREAK_SPACE)
+	var words := text.split(" ")
+	while words.size() > 1 and words[-1].length() < _ENDING:
+		words[-2] += NO_BREAK_SPACE + words[-1]
+		words.remove_at(words.size() - 1)
+	return " ".join(words)
 
 
 func _ready() -> void:

@@ -151,7 +151,7 @@ const CASES: Array[Dictionary] = [
 		sentence =
 		[
 			"A shot that gravity pulls turns its sprite with v: its angle is atan2(vy, vx).",
-			"The barrel turns on the hull: it points along γ = α + β. Drag both, or press Play.",
+			"The barrel turns on the hull: it points along γ = α + β. Drag both.",
 		],
 		rows = [[], [["d as a vector", "(0, 1)", "0"]]],
 		verdict = [[], ["on the hull: 60°"]],

@@ -61,14 +61,14 @@ func test_every_mistake_names_a_test_that_is_here() -> void:
 
 func test_each_preset_is_its_case() -> void:
 	var wanted: Dictionary[String, LeadTargetModel.Case] = {
-		"Crossing": LeadTargetModel.Case.HITS,
+		"Across": LeadTargetModel.Case.HITS,
 		"Moving shooter": LeadTargetModel.Case.HITS,
-		"With a radius": LeadTargetModel.Case.HITS,
+		"Radius": LeadTargetModel.Case.HITS,
+		"At rest": LeadTargetModel.Case.HITS,
 		"Passes by": LeadTargetModel.Case.HITS_TWICE,
 		"Gets away": LeadTargetModel.Case.GETS_AWAY,
 		"Equal speeds": LeadTargetModel.Case.HITS,
 		"Nearly equal": LeadTargetModel.Case.HITS,
-		"At rest": LeadTargetModel.Case.HITS,
 	}
 	assert_eq(wanted.keys(), LeadTargetModel.PRESETS.keys())
 	for title in wanted:
@@ -77,7 +77,7 @@ func test_each_preset_is_its_case() -> void:
 
 
 func test_the_times_of_the_presets_are_short() -> void:
-	_take("With a radius")
+	_take("Radius")
 	assert_almost_eq(_model.aim().time, 2.0, 1e-14)
 	assert_vec2(_model.aim().direction, Vec2.new(0.8, 0.6), 1e-14)
 	_take("Passes by")
