@@ -26,8 +26,11 @@ const NO_BREAK_SPACE := "\u00a0"
 const _NARROW := 400.0
 # What a finger can hit: a choice may be one letter.
 const _SMALLEST_BUTTON := Vector2(44.0, 44.0)
-# The last line of a sentence has at least so many letters.
-const _ENDING := 8
+# The last line of a sentence has at least so many letters, unless that made a piece that is longer
+# than the other and may be wider than a narrow panel. A word as short as a unit is never alone.
+const _ENDING := 12
+const _LONGEST_PIECE := 16
+const _SHORTEST_WORD := 4
 
 ## The step that is shown, counted from 0: the first one at the start.
 var step: int:
@@ -102,8 +105,11 @@ static func kept_together(sentence: String) -> String:
 static func with_whole_ending(text: String) -> String:
 	var words := text.split(" ")
 	while words.size() > 1 and words[-1].length() < _ENDING:
-		words[-2] += NO_BREAK_SPACE + words[-1]
+		var piece := words[-2] + NO_BREAK_SPACE + words[-1]
+		if words[-1].length() >= _SHORTEST_WORD and piece.length() > _LONGEST_PIECE:
+			break
 		words.remove_at(words.size() - 1)
+		words[-1] = piece
 	return " ".join(words)
 
 
