@@ -9,13 +9,8 @@ const _LONGEST_OF_SMALLEST := 40
 ## least. What every lesson must have, and lines that hold only syntax, are left out of the count.
 const _LARGEST_SHARE := 0.1
 const _FEWEST := 3
-# Each lesson asks before it answers. What it asks stands in the lines that follow.
 const _NEEDED: PackedStringArray = [
-	"extends Lesson",
-	"func start() -> void:",
-	"func _show() -> void:",
-	"ask_before(",
-	"ask_choice_before(",
+	"extends Lesson", "func start() -> void:", "func _show() -> void:"
 ]
 const _SYNTAX: PackedStringArray = [")", "]", "}", "else:", "return", "pass"]
 

@@ -43,7 +43,7 @@ func start() -> void:
 	var kinds := LineDistanceExercise.Kind.size()
 	(services[&"question"] as Question).offer(LineDistanceExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
@@ -84,14 +84,12 @@ func _put_ball(at: Vec2) -> void:
 
 
 # A mistake is shown beside the right distance, a ball that is slow or fast in its flight.
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	var is_new := changes.has("mistake") and _model.mistake != 0
 	if is_new and not LineDistanceTexts.is_compared(_model, step):
 		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DISTANCE)
 	if changes.has("speed"):
 		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DETECTION)
-	return problem
 
 
 # What the student sees.

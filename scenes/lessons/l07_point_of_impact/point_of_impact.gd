@@ -37,7 +37,7 @@ func start() -> void:
 	var kinds := PointOfImpactExercise.Kind.size()
 	(services[&"question"] as Question).offer(PointOfImpactExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _model.points_to_show)
@@ -61,12 +61,10 @@ func _move_new(to: Vec2) -> void:
 	_model.new_position = to.copy()
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	if changes.has("mistake"):
 		_model.show_mistake(_model.mistake)
 		_go_to_fraction()
-	return problem
 
 
 # A mistake is shown beside the right t: at the step of that, or later.

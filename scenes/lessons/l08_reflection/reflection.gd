@@ -37,7 +37,7 @@ func start() -> void:
 	var questions := services[&"question"] as Question
 	questions.offer(ReflectionExercise.fresh, kinds, 0, ReflectionExercise.of_the_lecture)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_tell_refusal)
@@ -74,11 +74,9 @@ func _drag_leaving(head: Vec2) -> void:
 	_model.fit_bounciness(head)
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	if changes.has("mistake"):
 		_model.show_mistake(_model.mistake)
-	return problem
 
 
 func _fly(seconds: float) -> void:

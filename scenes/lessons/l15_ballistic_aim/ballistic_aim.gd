@@ -51,7 +51,7 @@ func _fill_panel() -> void:
 	var kinds := BallisticAimExercise.Kind.size()
 	(services[&"question"] as Question).offer(BallisticAimExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 	on_edit(_options.chosen, func(_key: String, place: int) -> void: _model.arc = place)
 	_transport.advanced.connect(_fly)
 	# Not during a drag: measuring would slow it down.
@@ -93,12 +93,10 @@ static func _within(vector: Vec2) -> Vec2:
 
 
 # A mistake is shown beside a single aim.
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	var is_shown := _model.mistake == 0 or BallisticAimModel.is_of_arcs(_step())
 	if changes.has("mistake") and not is_shown:
 		(services[&"steps"] as Steps).go_to(BallisticAimModel.Step.ARCS)
-	return problem
 
 
 func _fly(seconds: float) -> void:

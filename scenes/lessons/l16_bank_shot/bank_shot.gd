@@ -73,7 +73,7 @@ func _fill_panel() -> void:
 	var kinds := BankShotExercise.Kind.size()
 	(services[&"question"] as Question).offer(BankShotExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 
 
 # What moves by itself.
@@ -105,14 +105,12 @@ func _choose(key: String, place: int) -> String:
 	return _choices.choose(_model, key, place)
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	if changes.has("mistake"):
 		_model.show_mistake(_model.mistake)
 		# A mistake is shown beside the right way: at the step of that, or later.
 		if _model.mistake != 0 and _step() < BankShotModel.Step.BOUNCE:
 			(services[&"steps"] as Steps).go_to(BankShotModel.Step.BOUNCE)
-	return problem
 
 
 # What the student sees.

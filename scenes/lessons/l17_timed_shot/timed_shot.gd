@@ -52,8 +52,11 @@ func _fill_panel() -> void:
 	var kinds := TimedShotExercise.Kind.size()
 	(services[&"question"] as Question).offer(TimedShotExercise.fresh, kinds)
 	on_enter(_model.enter)
-	on_pick(_take)
-	on_edit(_options.chosen, func(_key: String, place: int) -> String: return _take({kind = place}))
+	on_pick(_model.take, _reveal)
+	on_edit(
+		_options.chosen,
+		func(_key: String, place: int) -> String: return _model.take({kind = place})
+	)
 	_transport.advanced.connect(_fly)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
@@ -103,12 +106,10 @@ static func _pair(vector: Vec2) -> PackedFloat64Array:
 
 
 # A mistake is shown at the step that it is about.
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
+func _reveal(changes: Dictionary) -> void:
 	if changes.has("mistake") and _model.mistake != 0:
 		if not TimedShotTexts.is_compared(_model, _step()):
 			(services[&"steps"] as Steps).go_to(TimedShotTexts.step_of_mistake(_model.mistake))
-	return problem
 
 
 func _fly(seconds: float) -> void:

@@ -38,7 +38,7 @@ func start() -> void:
 	var kinds := BounceOfBallsExercise.Kind.size()
 	questions.offer(BounceOfBallsExercise.fresh, kinds, 0, BounceOfBallsExercise.of_the_course)
 	on_enter(_enter)
-	on_pick(_take)
+	on_pick(_model.take, _reveal)
 	_follow_keys()
 	_fly(_model.run())
 	var end := func() -> float: return _run.end
@@ -60,7 +60,7 @@ func _put_card_into_panel() -> void:
 func _follow_keys() -> void:
 	var keys := NewtonBallsKeys.new()
 	add_child(keys)
-	var switch := func() -> String: return _take({"has_newton": not _model.has_newton})
+	var switch := func() -> String: return _model.take({"has_newton": not _model.has_newton})
 	on_edit(keys.newton_wanted, switch)
 	on_edit(keys.bounciness_wanted, _model.take_next_bounciness)
 
@@ -82,13 +82,11 @@ func _enter(name_in_line: String, value: float) -> String:
 	return _model.enter(name_in_line, value, first, second)
 
 
-func _take(changes: Dictionary) -> String:
-	var problem := _model.take(changes)
-	if changes.has("mistake") and not problem:
+func _reveal(changes: Dictionary) -> void:
+	if changes.has("mistake"):
 		_model.show_mistake(_model.mistake)
 		if _model.mistake != 0 and step < NewtonBallsModel.Step.AFTER:
 			(services[&"steps"] as Steps).go_to(NewtonBallsModel.Step.MOMENTUM)
-	return problem
 
 
 # What the student sees.
