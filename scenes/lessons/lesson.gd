@@ -208,8 +208,8 @@ func on_move(trigger: Signal, change: Callable) -> void:
 
 
 ## When the student picks something in the panel - a preset, a switch, a mistake, the numbers of a
-## question - [param change] gets what this changes in the state; the change is complete. If it could
-## be made, [param reveal] gets the same, to go to the step at which it is seen.
+## question - [param change] gets what this changes in the state; the change is complete. If it
+## can be made, [param reveal] gets the same, to go to the step at which it is seen.
 func on_pick(change: Callable, reveal := func(_changes: Dictionary) -> void: pass) -> void:
 	var change_and_reveal := func(changes: Dictionary) -> Variant:
 		var refusal: Variant = change.call(changes)
