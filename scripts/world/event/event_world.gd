@@ -394,24 +394,24 @@ func _advance_through_events(seconds: float) -> String:
 	return _advance_to(target, step - (target - time))
 
 
-# Where an event comes first, or the flight of a lone ball is not noted.
+# Where an event comes first, or the flight of a lone ball is not noted. That flight is noted here,
+# and an event goes straight to _advance_to: with calls for both, a fast ball takes 1.13 times as
+# long.
 func _go_to_moment(target: float) -> void:
+	var problem := ""
 	# Nothing happens until then: most frames of a few balls end here.
 	if target < _quiet_until and target >= time:
 		time = target
 		_time_low = 0.0
+	elif target >= time and target <= LARGEST and not _has_changed:
+		problem = _advance_to(target, 0.0)
 	else:
-		var problem := _advance_to_event(target)
-		if problem:
-			Refusal.push(problem)
-	if _x.size() == 1 and _pull_x[0] == 0.0 and _pull_y[0] == 0.0:
-		_note_lone_flight()
-	else:
+		problem = _advance_to_event(target)
+	if problem:
+		Refusal.push(problem)
+	if _x.size() != 1 or _pull_x[0] != 0.0 or _pull_y[0] != 0.0:
 		_write_places(_places)
-
-
-# See EventWorld.moment.
-func _note_lone_flight() -> void:
+		return
 	_lone_until = _quiet_until
 	_lone_start = _start[0]
 	_lone_start_low = _start_low[0]
