@@ -71,7 +71,7 @@ static func verdict(model: ReflectionModel, step: ReflectionModel.Step) -> Packe
 		var is_elastic := times == 2.0 and not model.is_along_line()
 		words.append(
 			(
-				LabText.translate("fully elastic: it keeps all its energy")
+				LabText.translate("elastic: it keeps all its energy")
 				if is_elastic
 				else LabText.translate("keeps %s %% of its energy") % NumberText.short(percent, 3)
 			)
@@ -139,6 +139,6 @@ static func _angles(model: ReflectionModel, times: float) -> String:
 		return LabText.translate("it moves along the line")
 	var angle_in := Conventions.angle_text(model.angle_in_degrees())
 	if model.stops_after(times):
-		return LabText.translate("in %s to the normal, and it stops") % angle_in
+		return LabText.translate("in %s from n̂, and it stops") % angle_in
 	var angle_out := Conventions.angle_text(model.angle_out_degrees(model.velocity_after(times)))
-	return LabText.translate("in %s, out %s to the normal") % [angle_in, angle_out]
+	return LabText.translate("in %s, out %s from n̂") % [angle_in, angle_out]

@@ -209,10 +209,10 @@ func _claims_of_card() -> Dictionary[String, bool]:
 	return {
 		"v = 0: the ball does not move": _is_at_rest(),
 		"it moves along the line": _can_be_along(),
-		" to the normal, and it stops": has_angles and _can_stop(),
-		" to the normal": has_angles and _length(_along, (_times() - 1.0) * _across) > 0.0,
+		" from n̂, and it stops": has_angles and _can_stop(),
+		" from n̂": has_angles and _length(_along, (_times() - 1.0) * _across) > 0.0,
 		"% of its energy": not _is_at_rest(),
-		"fully elastic: it keeps all its energy": _can_have_part() and _times() == 2.0,
+		"elastic: it keeps all its energy": _can_have_part() and _times() == 2.0,
 		"the mistake says: ": _can_show(),
 		"the mistake changes nothing here": _can_hide(),
 	}
@@ -238,7 +238,7 @@ func _problem_of_card_numbers(lines: PackedStringArray) -> String:
 	for line in lines:
 		var degrees := SeenLesson.degrees_behind("in ", line)
 		var is_close := SeenLesson.is_close_angle(degrees, _degrees_in(), 1e-12)
-		if line.contains(" to the") and not is_close:
+		if line.contains(" from n̂") and not is_close:
 			return "it comes in at %s°: “%s”" % [_degrees_in(), line]
 		degrees = SeenLesson.degrees_behind("out ", line)
 		is_close = SeenLesson.is_close_angle(degrees, _degrees_out(), _out_off())

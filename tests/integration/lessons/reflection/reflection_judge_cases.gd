@@ -17,14 +17,14 @@ const CASES: Array[Dictionary] = [
 		verdict_sign = ["≠", "=", "0", "✗"],
 		verdict =
 		[
-			["in 36.87°, out 56.31° to the normal", "keeps 52 % of its energy"],
-			["in 36.87°, out 36.87° to the normal", "keeps 52 % of its energy"],
-			["in 53.13°, out 56.31° to the normal", "keeps 52 % of its energy"],
-			["in 36.87°, out 56.31° to the normal", "keeps 50 % of its energy"],
-			["in 36.87° to the normal, and it stops", "keeps 52 % of its energy"],
+			["in 36.87°, out 56.31° from n̂", "keeps 52 % of its energy"],
+			["in 36.87°, out 36.87° from n̂", "keeps 52 % of its energy"],
+			["in 53.13°, out 56.31° from n̂", "keeps 52 % of its energy"],
+			["in 36.87°, out 56.31° from n̂", "keeps 50 % of its energy"],
+			["in 36.87° from n̂, and it stops", "keeps 52 % of its energy"],
 			["it moves along the line", "keeps 52 % of its energy"],
-			["in 36.87°, out 56.31° to the normal", "the mistake says: (3, −28)"],
-			["in 36.87°, out 56.31° to the normal", "something new"],
+			["in 36.87°, out 56.31° from n̂", "the mistake says: (3, −28)"],
+			["in 36.87°, out 56.31° from n̂", "something new"],
 		],
 		sentence =
 		[
@@ -203,7 +203,7 @@ const CASES: Array[Dictionary] = [
 		[
 			["it moves along the line", "the mistake changes nothing here"],
 			["it moves along the line", "the mistake says: (4, 0)"],
-			["in 90°, out 45° to the normal", "the mistake changes nothing here"],
+			["in 90°, out 45° from n̂", "the mistake changes nothing here"],
 		],
 		sentence =
 		[
@@ -255,10 +255,10 @@ const CASES: Array[Dictionary] = [
 		verdict =
 		[
 			[
-				"in 36.87°, out 36.87° to the normal",
-				"fully elastic: it keeps all its energy",
+				"in 36.87°, out 36.87° from n̂",
+				"elastic: it keeps all its energy",
 			],
-			["in 36.87°, out 36.87° to the normal", "keeps 90 % of its energy"],
+			["in 36.87°, out 36.87° from n̂", "keeps 90 % of its energy"],
 		],
 		sentence =
 		[
@@ -288,10 +288,10 @@ const CASES: Array[Dictionary] = [
 		],
 		verdict =
 		[
-			["in 36.87°, out 56.31° to the normal", "keeps 52 % of its energy"],
+			["in 36.87°, out 56.31° from n̂", "keeps 52 % of its energy"],
 			[
-				"in 36.87°, out 56.31° to the normal",
-				"fully elastic: it keeps all its energy",
+				"in 36.87°, out 56.31° from n̂",
+				"elastic: it keeps all its energy",
 			],
 		],
 	},

@@ -17,7 +17,7 @@ func after_each() -> void:
 func test_it_starts_with_the_reflection_of_the_lecture() -> void:
 	_assert_numbers("velocity", [3, 4])
 	assert_has(_lines(), "v − (1 + C)(v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)")
-	assert_reads("in 36.87°, out 36.87° to the normal")
+	assert_reads("in 36.87°, out 36.87° from n̂")
 
 
 func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:

@@ -70,7 +70,7 @@ func test_a_ball_that_stops_has_no_angle_out() -> void:
 	var model := _model(Vec2.new(0, 5), Vec2.new(-7, 0))
 	var step := ReflectionModel.Step.SLIDE
 	assert_eq(ReflectionTexts.verdict_sign(model, step), "≠")
-	assert_eq(ReflectionTexts.verdict(model, step)[0], "in 0° to the normal, and it stops")
+	assert_eq(ReflectionTexts.verdict(model, step)[0], "in 0° from n̂, and it stops")
 
 
 func test_what_rounding_leaves_of_a_ball_head_on_stops() -> void:
@@ -78,7 +78,7 @@ func test_what_rounding_leaves_of_a_ball_head_on_stops() -> void:
 	var model := _model(velocity, Vec2.new(-61.5, -70.56))
 	assert_ne(model.velocity_after(1.0).length(), 0.0, "the numbers leave a rest")
 	var verdict := ReflectionTexts.verdict(model, ReflectionModel.Step.SLIDE)
-	assert_eq(verdict[0], "in 0° to the normal, and it stops")
+	assert_eq(verdict[0], "in 0° from n̂, and it stops")
 
 
 func test_a_normal_that_is_not_unit_is_refused_in_the_words_of_vec2() -> void:
