@@ -5,6 +5,8 @@ extends RefCounted
 
 ## A flight lasts at most so many seconds of the student's, unless a lesson says otherwise.
 const LONGEST_SHOWN := 8.0
+## So long an opening waits at the end of its flight, in seconds, before the next one.
+const PAUSE := 0.8
 
 ## How many seconds of the student's a flight lasts at most.
 var longest_shown := LONGEST_SHOWN
@@ -24,6 +26,14 @@ func _init(transport: Transport, end: Callable, show: Callable) -> void:
 	transport.advanced.connect(_advance)
 
 
+## The clock of [param lesson], with whose complete changes the flight is at 0 again. Comes after
+## [method Lesson.begin].
+static func begun_by_changes(lesson: Lesson, end: Callable, show: Callable) -> FlightClock:
+	var clock := FlightClock.new(lesson.services[&"transport"] as Transport, end, show)
+	lesson.about_to_show.connect(clock.go_to.bind(0.0))
+	return clock
+
+
 ## Goes to a moment, in seconds, and stays there.
 func go_to(seconds: float) -> void:
 	_transport.is_playing = false
@@ -32,7 +42,7 @@ func go_to(seconds: float) -> void:
 
 ## Where an opening is after [param seconds]: it plays the flight again and again, and waits
 ## [param pause] seconds at its end.
-func repeat(seconds: float, pause: float) -> void:
+func repeat(seconds: float, pause: float = PAUSE) -> void:
 	var end: float = _end.call()
 	_put(minf(fmod(seconds, end + pause), end))
 
