@@ -10,7 +10,6 @@ const _CALLS: Dictionary[String, PackedStringArray] = {
 	"options": ["add_switch(", "offer_presets("],
 	"mistakes": ["offer_mistakes("],
 	"question": ["offer_questions("],
-	"transport": ["FlightClock."],
 }
 
 

@@ -111,6 +111,7 @@ func test_a_flight_stops_when_its_end_was_shown_and_play_begins_it_anew() -> voi
 	transport.is_playing = true
 	transport._process(0.25)
 	assert_eq(flown[0], 0.25, "played on from its end it begins anew")
+	transport.is_playing = false
 	await click_button("One frame back")
 	assert_almost_eq(flown[0], 0.25 - _FRAME_SECONDS, 1e-12)
 

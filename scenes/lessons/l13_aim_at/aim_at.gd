@@ -39,7 +39,8 @@ func start() -> void:
 		return _drawing.points_to_show(_model, AimShots.new(_model))
 	begin(_model, _show, points)
 	var end := func() -> float: return _shots.end(step)
-	_clock = FlightClock.begun_by_changes(self, end, _show_moment)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
+	about_to_show.connect(_clock.go_to.bind(0.0))
 	open_with_swing(_swing.bind(_model.hull_degrees))
 
 

@@ -36,7 +36,8 @@ func start() -> void:
 	_engine.measured.connect(_show_readout)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.points_to_show(_model, step))
 	var end := func() -> float: return _race.end(step)
-	_clock = FlightClock.begun_by_changes(self, end, _show_moment)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
+	about_to_show.connect(_clock.go_to.bind(0.0))
 	# The ball without friction, again and again.
 	open_with(_clock.repeat)
 

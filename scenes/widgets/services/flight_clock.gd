@@ -26,14 +26,6 @@ func _init(transport: Transport, end: Callable, show: Callable) -> void:
 	transport.advanced.connect(_advance)
 
 
-## The clock of [param lesson], with whose complete changes the flight is at 0 again. Comes after
-## [method Lesson.begin].
-static func begun_by_changes(lesson: Lesson, end: Callable, show: Callable) -> FlightClock:
-	var clock := FlightClock.new(lesson.services[&"transport"] as Transport, end, show)
-	lesson.about_to_show.connect(clock.go_to.bind(0.0))
-	return clock
-
-
 ## Goes to a moment, in seconds, and stays there.
 func go_to(seconds: float) -> void:
 	_transport.is_playing = false
