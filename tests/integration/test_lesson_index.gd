@@ -72,8 +72,8 @@ func test_lessons_need_exactly_the_services_that_their_scripts_use() -> void:
 		var used := classes.keys().filter(
 			func(need: String) -> bool:
 				var calls: PackedStringArray = _CALLS.get(need, PackedStringArray())
-				var is_call := func(call: String) -> bool: return code.contains(call)
-				return Array(calls).any(is_call) or _names(code, classes[need])
+				var is_called := func(method: String) -> bool: return code.contains(method)
+				return Array(calls).any(is_called) or _names(code, classes[need])
 		)
 		var needed := Array(lesson.needs)
 		needed.sort()
