@@ -48,6 +48,14 @@ var asked_before: PackedInt32Array:
 var _kept_model: LessonModel
 var _show_model: Callable
 var _points_to_show: Callable
+# What shows the model in the panel, after the lesson itself has shown it.
+var _views: Array[Object] = []
+# The services of which the model takes what is picked, unless on_pick() says otherwise.
+var _offering: Array[Control] = []
+var _has_own_pick := false
+var _has_own_enter := false
+# Returns the step at which a mistake is seen; see offer_mistakes().
+var _step_of_mistake: Callable
 # Null once the student has made a change or has let time run.
 var _opening: OpeningMotion
 
@@ -68,8 +76,10 @@ func _enter_tree() -> void:
 
 
 ## Shows [param model] from now on, by [param show_model]. Undo, reset and links keep its state. The
-## board is fitted to the points that [param points] returns, except during a drag. An error if the
-## lesson cannot show the model as it is now: then a value in the scene is wrong.
+## board is fitted to the points that [param points] returns, except during a drag. Where neither
+## [method on_enter] nor [method on_pick] has said otherwise, the model takes what is typed in the
+## formula and what is picked of what the lesson offers. An error if the lesson cannot show the
+## model as it is now: then a value in the scene is wrong.
 func begin(model: LessonModel, show_model: Callable, points: Callable = Callable()) -> void:
 	var problem := _not_finite(model.link_state())
 	if not problem:
@@ -80,6 +90,7 @@ func begin(model: LessonModel, show_model: Callable, points: Callable = Callable
 	_kept_model = model
 	_show_model = show_model
 	_points_to_show = points
+	_let_model_take()
 	resized.connect(show_all)
 	for service: Control in services.values():
 		if service.has_signal(&"view_changed"):
@@ -101,7 +112,7 @@ func open_with(move: Callable) -> void:
 		return
 	var show_moved := func(seconds: float) -> void:
 		move.call(seconds)
-		_show_model.call()
+		_show_everywhere()
 	var first := state()
 	_opening = OpeningMotion.new(show_moved, show_state.bind(first))
 	add_child(_opening)
@@ -109,6 +120,12 @@ func open_with(move: Callable) -> void:
 		Signal(services[&"transport"], &"advanced").connect(stop_opening.unbind(1))
 	if services.has(&"steps"):
 		Signal(services[&"steps"], &"going_forward").connect(_go_back_to.bind(first))
+
+
+## The same for what swings so many [param times] until [constant OpeningMotion.LONGEST]:
+## [param move] is called with where the swing is, from 0 to 1, to -1 and to 0 again.
+func open_with_swing(move: Callable, times: float = 4.0) -> void:
+	open_with(func(seconds: float) -> void: move.call(OpeningMotion.swing(seconds, times)))
 
 
 ## Ends what [method open_with] moves, and leaves it where it is: the student has chosen this.
@@ -191,8 +208,9 @@ func on_handle(handle: Control, change: Callable) -> void:
 
 
 ## When a number in the formula is typed over, [param change] gets its name and its new value; the
-## change is complete.
+## change is complete. Only where that is not [method LessonModel.enter], and before [method begin].
 func on_enter(change: Callable) -> void:
+	_has_own_enter = true
 	on_edit(Signal(services[&"formula"], &"number_entered"), change)
 
 
@@ -203,22 +221,54 @@ func on_move(trigger: Signal, change: Callable) -> void:
 		func(...arguments: Array) -> void:
 			_notice(change.callv(arguments))
 			_end_answer()
-			_show_model.call()
+			_show_everywhere()
 	)
 
 
 ## When the student picks something in the panel - a preset, a switch, a mistake, the numbers of a
 ## question - [param change] gets what this changes in the state; the change is complete. If it
-## can be made, [param reveal] gets the same, to go to the step at which it is seen.
-func on_pick(change: Callable, reveal := func(_changes: Dictionary) -> void: pass) -> void:
-	var change_and_reveal := func(changes: Dictionary) -> Variant:
-		var refusal: Variant = change.call(changes)
-		if not refusal:
-			reveal.call(changes)
-		return refusal
+## can be made, [param reveal] gets the same, to go to the step at which it is seen. Only where that
+## is not [method LessonModel.take] alone, and before [method begin].
+func on_pick(change: Callable, reveal: Callable = Callable()) -> void:
+	_has_own_pick = true
 	for service: Control in services.values():
 		if service.has_signal(&"picked"):
-			on_edit(Signal(service, &"picked"), change_and_reveal)
+			_follow_picks(service, change, reveal)
+
+
+## Adds a switch with the translated [param text] for [param key] in the model's state.
+func add_switch(key: String, text: String) -> void:
+	_offered(&"options").call(&"add_switch", key, text)
+
+
+## Offers what is in the model's state in each of [param presets], by their titles, source text.
+func offer_presets(presets: Dictionary[String, Dictionary]) -> void:
+	_offered(&"options").call(&"offer_presets", presets)
+
+
+## Offers [param mistakes], each a [MistakeInfo], of which the model's state has one as `mistake`.
+## [param step_of] gets the number of a mistake that is switched on and the step that is shown, and
+## returns the step to go to, so that the mistake is seen.
+func offer_mistakes(mistakes: Array, step_of: Callable = Callable()) -> void:
+	_offered(&"mistakes").call(&"add_all", mistakes)
+	_step_of_mistake = step_of
+
+
+## Offers the questions of [param exercises], a class of [Exercise] with an `enum Kind` and a static
+## method `fresh`; see [method Question.offer], also for [param of_the_lecture].
+func offer_questions(
+	exercises: GDScript, of_the_lecture: Callable = Callable(), first_kind: int = 0
+) -> void:
+	_offered(&"question").call(&"offer_kinds", exercises, first_kind, of_the_lecture)
+
+
+## From now on [param view] shows the model in the panel, after the lesson itself has shown it: its
+## method `show_model` gets the model and the step. A view with a method `measure` gets the model
+## there before a complete change is shown, but not during a drag, which measuring would slow down.
+func show_in_panel(view: Object) -> void:
+	_views.append(view)
+	if view.has_method(&"measure"):
+		about_to_show.connect(func() -> void: view.call(&"measure", _kept_model))
 
 
 ## While the empty board is clicked or dragged on with [param button], [param change] gets the point
@@ -230,7 +280,7 @@ func on_point(button: MouseButton, change: Callable) -> void:
 				pause()
 				_notice(change.call(at))
 				_end_answer()
-				_show_model.call()
+				_show_everywhere()
 	)
 	if not board.released.is_connected(finish_edit):
 		board.released.connect(finish_edit)
@@ -255,7 +305,7 @@ func show_all() -> void:
 	for service: Control in services.values():
 		if service.has_method(&"show_picked"):
 			service.call(&"show_picked", _kept_model.to_dictionary())
-	_show_model.call()
+	_show_everywhere()
 
 
 ## Tells these translated sentences, one for each step. Call it first in what shows the model: it
@@ -319,6 +369,50 @@ func link_problem(linked: Dictionary) -> String:
 ## Shows a link state that has no [method link_problem]; emits nothing but a notice.
 func show_link(linked: Dictionary) -> void:
 	show_state(_kept_model.state_of_link(linked) if _kept_model else linked)
+
+
+# What is typed and picked where the lesson has not said what it changes.
+func _let_model_take() -> void:
+	if services.has(&"formula") and not _has_own_enter:
+		on_enter(_kept_model.enter)
+	if not _has_own_pick:
+		for service: Control in _offering:
+			_follow_picks(service, _kept_model.take, Callable())
+
+
+# The service with this name, from which the student picks.
+func _offered(service_name: StringName) -> Control:
+	var service := services[service_name]
+	if not service in _offering:
+		_offering.append(service)
+	return service
+
+
+func _follow_picks(service: Control, change: Callable, reveal: Callable) -> void:
+	var change_and_reveal := func(changes: Dictionary) -> Variant:
+		var refusal: Variant = change.call(changes)
+		if not refusal:
+			_go_where_seen(changes)
+			if reveal:
+				reveal.call(changes)
+		return refusal
+	on_edit(Signal(service, &"picked"), change_and_reveal)
+
+
+# A mistake that was switched on is seen at some steps only.
+func _go_where_seen(changes: Dictionary) -> void:
+	var mistake: int = changes.get("mistake", 0)
+	if mistake != 0 and _step_of_mistake:
+		var seen_at: int = _step_of_mistake.call(mistake, step)
+		if seen_at != step:
+			show_step(seen_at)
+
+
+# The lesson sets the step; then the panel shows it, too.
+func _show_everywhere() -> void:
+	_show_model.call()
+	for view in _views:
+		view.call(&"show_model", _kept_model, step)
 
 
 # The steps explain the lesson's own numbers, until the student has chosen others.

@@ -12,13 +12,28 @@ extends RefCounted
 
 ## Takes other values for a part of the state: [param changes] holds them by their names in
 ## [method to_dictionary]. "" if they could be taken; else the sentence of [method problem_in], and
-## nothing changes.
+## nothing changes. A mistake that is switched on is shown by [method show_mistake].
 func take(changes: Dictionary) -> String:
 	var wanted := to_dictionary().merged(changes, true)
 	var problem := problem_in(wanted)
 	if not problem:
 		from_dictionary(wanted)
+		if changes.has("mistake"):
+			var number: int = changes["mistake"]
+			show_mistake(number)
 	return problem
+
+
+## Takes a number that is typed over in the formula, by its name there. "" if it could be taken;
+## else one translated sentence with the value and what is allowed, and nothing changes.
+func enter(_name_in_line: String, _value: float) -> String:
+	return ""
+
+
+## Switches the mistake [param number] on, 0 for none: where it changes nothing, a model takes other
+## numbers, such as a preset's, with which it does.
+func show_mistake(_number: int) -> void:
+	pass
 
 
 ## "" if the lesson can show the state [param stored], which has the names and kinds of

@@ -5,8 +5,8 @@ extends LabTest
 const _LONGEST := 170
 ## The most lines of code in the smallest lesson, which is read first and has one script.
 const _LONGEST_OF_SMALLEST := 40
-## At most this share of the lines may stand in many lessons: in a quarter of them, and in three at
-## least. What every lesson must have, and lines that hold only syntax, are left out of the count.
+## At most this share of the lines may stand in three lessons or more. What every lesson must have,
+## and lines that hold only syntax, are left out of the count.
 const _LARGEST_SHARE := 0.1
 const _FEWEST := 3
 const _NEEDED: PackedStringArray = [
@@ -84,6 +84,6 @@ func _common_lines(codes: Array[PackedStringArray]) -> PackedStringArray:
 	for code: PackedStringArray in codes:
 		for line: String in code:
 			var places := codes.filter(func(other: PackedStringArray) -> bool: return line in other)
-			if places.size() >= maxf(_FEWEST, 0.25 * codes.size()) and not line in found:
+			if places.size() >= _FEWEST and not line in found:
 				found.append(line)
 	return found

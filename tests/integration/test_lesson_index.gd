@@ -4,7 +4,13 @@ extends LabTest
 const _LESSONS := "res://scenes/lessons/"
 const _SERVICES := "res://scenes/widgets/services/"
 # The methods of a lesson that use a service for it.
-const _CALLS: Dictionary[String, String] = {"steps": "tell_steps(", "code": "tell_code("}
+const _CALLS: Dictionary[String, PackedStringArray] = {
+	"steps": ["tell_steps("],
+	"code": ["tell_code("],
+	"options": ["add_switch(", "offer_presets("],
+	"mistakes": ["offer_mistakes("],
+	"question": ["offer_questions("],
+}
 
 
 func test_the_index_names_every_folder_once_and_no_other() -> void:
@@ -65,8 +71,9 @@ func test_lessons_need_exactly_the_services_that_their_scripts_use() -> void:
 		var code := _code_in(lesson.resource_path.get_base_dir())
 		var used := classes.keys().filter(
 			func(need: String) -> bool:
-				var is_called := _CALLS.has(need) and code.contains(_CALLS[need])
-				return is_called or _names(code, classes[need])
+				var calls: PackedStringArray = _CALLS.get(need, PackedStringArray())
+				var is_called := func(method: String) -> bool: return code.contains(method)
+				return Array(calls).any(is_called) or _names(code, classes[need])
 		)
 		var needed := Array(lesson.needs)
 		needed.sort()

@@ -12,6 +12,18 @@ class ShownExercise:
 		return {"a": 3.0}
 
 
+## Questions of two kinds.
+class TwoKinds:
+	extends Exercise
+
+	enum Kind { ONE, OTHER }
+
+	static func fresh(kind: Kind, _rng: RandomNumberGenerator) -> Exercise:
+		var exercise := Exercise.new()
+		exercise.prompt = "kind %d" % kind
+		return exercise
+
+
 func test_steps_open_at_the_first_one() -> void:
 	var steps := _added("steps") as Steps
 	steps.tell(["one", "two", "three"])
@@ -93,6 +105,14 @@ func test_the_questions_of_the_lecture_come_first_each_once() -> void:
 		return _named("lecture %d" % kind) if kind != 1 else null
 	question.offer(fresh, 3, 2, of_the_lecture)
 	for wanted: String in ["lecture 2", "lecture 0", "fresh 2", "fresh 0", "fresh 1", "fresh 2"]:
+		assert_eq((question.get_node("%Prompt") as Label).text, wanted)
+		(question.get_node("%New") as Button).pressed.emit()
+
+
+func test_the_kinds_of_a_class_of_exercises_take_turns() -> void:
+	var question := _added("question") as Question
+	question.offer_kinds(TwoKinds, 1, Callable())
+	for wanted: String in ["kind 1", "kind 0", "kind 1"]:
 		assert_eq((question.get_node("%Prompt") as Label).text, wanted)
 		(question.get_node("%New") as Button).pressed.emit()
 

@@ -91,6 +91,36 @@ func test_keys_go_one_frame_on_and_back() -> void:
 	assert_almost_eq(_seconds(), 0.0, 1e-12)
 
 
+func test_a_flight_stops_when_its_end_was_shown_and_play_begins_it_anew() -> void:
+	var transport := _transport()
+	var flown: PackedFloat64Array = [0.5]
+	var shown_while_playing: Array[bool] = []
+	transport.advanced.connect(
+		func(seconds: float) -> void:
+			flown[0] = transport.flown(flown[0], seconds, 1.0)
+			shown_while_playing.append(transport.is_playing)
+	)
+	transport.is_playing = true
+	transport._process(0.25)
+	assert_eq(flown[0], 0.75)
+	assert_true(transport.is_playing)
+	transport._process(2.0)
+	assert_eq(flown[0], 1.0)
+	assert_eq(shown_while_playing, [true, true], "the end is shown before time stops")
+	assert_false(transport.is_playing)
+	transport.is_playing = true
+	transport._process(0.25)
+	assert_eq(flown[0], 0.25, "played on from its end it begins anew")
+	transport.is_playing = false
+	await click_button("One frame back")
+	assert_almost_eq(flown[0], 0.25 - _FRAME_SECONDS, 1e-12)
+
+
+func test_a_flight_goes_back_to_its_beginning_at_most() -> void:
+	assert_eq(_transport().flown(-0.5, -3.0, 2.0, -1.0), -1.0)
+	assert_eq(_transport().flown(0.5, -3.0, 2.0), 0.0)
+
+
 func _transport() -> Transport:
 	return frame().lesson.services[&"transport"] as Transport
 

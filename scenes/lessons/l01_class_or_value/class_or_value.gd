@@ -4,9 +4,8 @@ extends Lesson
 ## The arrows Position and Value of the scene begin at the origins of the two fields. The head of
 ## Position is the first place of both.
 
-## The opening moves both this far sideways, in units, and so often in 20 seconds.
+## The opening moves both this far sideways, in units.
 const _SWAY := 1.5
-const _SWAYS := 4.0
 ## How many times 0.1 is added for each row of the readout.
 const _COUNTS: Array[int] = [1000, 1_000_000]
 ## So many digits show that the sums differ.
@@ -16,7 +15,6 @@ const _DIGITS_OF_SUM := 8
 @export var changed_place := Vector2(4.0, -4.0)
 
 var _model := ClassOrValueModel.new()
-var _formula: ClassOrValueFormula
 # The Vec2 before the drag that is going on; null between drags.
 var _before: Vec2
 var _has_sums := false
@@ -38,18 +36,17 @@ func start() -> void:
 	_model.remember_and_move(first, Vec2.from_vector2(changed_place))
 	_let_drag(_position)
 	_let_drag(_value)
-	_formula = ClassOrValueFormula.new(services[&"formula"] as Formula)
+	show_in_panel(ClassOrValueFormula.new(services[&"formula"] as Formula))
 	on_enter(_enter)
+	add_switch("copies", tr("Use copy()"))
 	var options := services[&"options"] as LessonOptions
-	options.add_switch("copies", tr("Use copy()"))
 	options.add_preset("remember", tr("Start again from here"))
 	_readout.is_the_point = true
 	_readout.show_headings([tr("0.1 added up"), tr("sum"), tr("error"), tr("per addition")])
-	on_pick(_model.take)
 	on_edit(options.preset_picked, _model.remember.unbind(1))
-	(services[&"question"] as Question).offer(SharingExercise.fresh, SharingExercise.Kind.size())
+	offer_questions(SharingExercise)
 	begin(_model, _show, _reach)
-	open_with(_sway.bind(_model.first_place(), _model.position.copy()))
+	open_with_swing(_sway.bind(_model.first_place(), _model.position.copy()))
 
 
 func _let_drag(vector: DraggableVector) -> void:
@@ -58,8 +55,8 @@ func _let_drag(vector: DraggableVector) -> void:
 
 
 # What moves by itself: Vec2 and Vector2, in step. Eighths are the same in 32 bits and in 64.
-func _sway(seconds: float, first: Vec2, second: Vec2) -> void:
-	var x := snappedf(_SWAY * OpeningMotion.swing(seconds, _SWAYS), 0.125)
+func _sway(share: float, first: Vec2, second: Vec2) -> void:
+	var x := snappedf(_SWAY * share, 0.125)
 	var by := Vec2.new(x, 0.0)
 	_model.remember_and_move(first.plus(by), second.plus(by))
 
@@ -130,7 +127,6 @@ func _show() -> void:
 	_show_arrows()
 	_fields.show_fields(_left, _right, ClassOrValueTexts.sharing(_model.is_shared(), step))
 	ClassOrValueTexts.fill(%Boxes as NameBoxes, _model, step)
-	_formula.show_model(_model, step)
 	_show_sums()
 
 

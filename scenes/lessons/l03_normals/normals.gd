@@ -11,15 +11,13 @@ const _EXAMPLES: Dictionary[int, Dictionary] = {
 
 # The switch that turns the picture over.
 const _Y_UP := "is_y_up"
-# At the opening v swings so often, by so many degrees to either side.
-const _SWINGS := 4.0
+# At the opening v swings by so many degrees to either side.
 const _SWING := 20.0
 
 ## The factor by which the unit normal is drawn longer at the start; negative for the other side.
 @export_range(-100.0, 100.0, 0.5, "or_less", "or_greater") var times := 2.0
 
 var _model := NormalsModel.new()
-var _formula: NormalsFormula
 # The line before it was last dragged or typed over; null where it was set up in another way.
 var _before: NormalsModel
 var _is_dragged := false
@@ -37,15 +35,12 @@ func start() -> void:
 	_v.released.connect(func() -> void: _is_dragged = false)
 	# The card moves to another corner only when the view is fitted, not during a drag.
 	board.view_changed.connect(func() -> void: _verdict.stand_behind(_model))
-	_formula = NormalsFormula.new(services[&"formula"] as Formula)
+	show_in_panel(NormalsFormula.new(services[&"formula"] as Formula))
 	on_enter(_enter)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch(_Y_UP, tr("y points up"))
-	options.offer_presets(NormalsModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(NormalsMistakes.infos())
-	(services[&"question"] as Question).offer(
-		NormalExercise.fresh, NormalExercise.Kind.size(), 0, NormalExercise.of_the_lecture
-	)
+	add_switch(_Y_UP, tr("y points up"))
+	offer_presets(NormalsModel.PRESETS)
+	offer_mistakes(NormalsMistakes.infos())
+	offer_questions(NormalExercise, NormalExercise.of_the_lecture)
 	on_pick(_pick)
 	begin(_model, _show, _model.points_to_show)
 	ask_choice_before(
@@ -54,7 +49,7 @@ func start() -> void:
 		["(y, x)", "(y, −x)", "(−y, −x)"],
 		func() -> int: return 1 if _has_question() else -1
 	)
-	open_with(_swing.bind(_model.v()))
+	open_with_swing(_swing.bind(_model.v()))
 
 
 # Undo, reset and links do not tell what was before.
@@ -64,9 +59,9 @@ func show_state(stored: Dictionary) -> void:
 
 
 # What moves by itself: the end swings, to hundredths, so that the numbers stay short.
-func _swing(seconds: float, v: Vec2) -> void:
+func _swing(share: float, v: Vec2) -> void:
 	var swung := v.copy()
-	swung.rotate_degrees(_SWING * OpeningMotion.swing(seconds, _SWINGS))
+	swung.rotate_degrees(_SWING * share)
 	var end := _model.start.plus(swung)
 	_model.end.set_xy(snappedf(end.x, 0.01), snappedf(end.y, 0.01))
 
@@ -81,9 +76,9 @@ func _drag(tail: Vec2, head: Vec2) -> void:
 	_model.lay(tail, head)
 
 
-func _enter(name_in_line: String, value: float) -> void:
+func _enter(name_in_line: String, value: float) -> String:
 	_before = _model.copy() if name_in_line != "k" else null
-	_model.enter(name_in_line, value)
+	return _model.enter(name_in_line, value)
 
 
 # Which way y points is chosen for the whole lab.
@@ -114,7 +109,6 @@ func _show() -> void:
 	tell_steps(NormalsTexts.sentences(_model))
 	_drawing.show_model(_model, step)
 	_drawing.show_before(_before)
-	_formula.show_model(_model, step)
 	tell_code(NormalsCode.lines(_model, step), NormalsCode.inputs(_model))
 	_verdict.show_model(_model, _before, step)
 	_readout.visible = step >= NormalsTexts.Step.UNIT

@@ -36,7 +36,7 @@ func lay(from: Vec2, to: Vec2) -> void:
 
 
 ## Takes the number that has this name in the formula. A new start takes the end along: v stays.
-func enter(name_in_line: String, value: float) -> void:
+func enter(name_in_line: String, value: float) -> String:
 	var along := v()
 	match name_in_line:
 		"vx":
@@ -50,6 +50,7 @@ func enter(name_in_line: String, value: float) -> void:
 		"k":
 			times = value
 	end = start.plus(along)
+	return ""
 
 
 ## The vector of the line: end minus start.

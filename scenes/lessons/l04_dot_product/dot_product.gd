@@ -12,7 +12,6 @@ const _SWINGS := 2.0
 
 var _model := DotProductModel.new()
 var _formula: DotProductFormula
-var _readout: DotProductReadout
 
 @onready var _drawing: DotProductDrawing = %Drawing
 @onready var _a: DraggableVector = %A
@@ -31,30 +30,21 @@ func start() -> void:
 	on_drag(_plot.x_pointed, _plot.released, _turn_to)
 	add_child(CardPlace.new(_plot, board, services[&"steps"]))
 	_formula = DotProductFormula.new(services[&"formula"] as Formula)
-	_readout = DotProductReadout.new(services[&"readout"] as Readout)
-	on_enter(_enter_number)
+	show_in_panel(DotProductReadout.new(services[&"readout"] as Readout))
 	on_move((services[&"transport"] as Transport).advanced, _sweep)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("normalizes", tr("Normalize"))
-	options.add_switch("is_swapped", tr("b on a"))
-	options.offer_presets(DotProductModel.PRESETS)
-	(services[&"question"] as Question).offer(
-		ProjectionExercise.fresh,
-		ProjectionExercise.Kind.size(),
-		1,
-		ProjectionExercise.of_the_lecture
-	)
-	on_pick(_model.take)
+	add_switch("normalizes", tr("Normalize"))
+	add_switch("is_swapped", tr("b on a"))
+	offer_presets(DotProductModel.PRESETS)
+	offer_questions(ProjectionExercise, ProjectionExercise.of_the_lecture, 1)
 	begin(_model, _show, _model.ends)
-	open_with(_swing.bind(_model.a()))
+	open_with_swing(_swing.bind(_model.a()), _SWINGS)
 
 
 # What moves by itself.
 
 
 # To hundredths, so that the numbers beside it stay short.
-func _swing(seconds: float, first: Vec2) -> void:
-	var share := OpeningMotion.swing(seconds, _SWINGS)
+func _swing(share: float, first: Vec2) -> void:
 	var swung := first.copy()
 	swung.rotate_degrees(_SWING * share)
 	var head := _model.a_tail.plus(swung)
@@ -82,23 +72,16 @@ func _sweep(seconds: float) -> void:
 	_model.set_signed_angle_degrees(_model.signed_angle_degrees() + _SWEEP_SPEED * seconds)
 
 
-func _enter_number(name_in_line: String, value: float) -> void:
-	match name_in_line:
-		"ax":
-			_model.a_head.x = _model.a_tail.x + value
-		"ay":
-			_model.a_head.y = _model.a_tail.y + value
-		"bx":
-			_model.b_head.x = _model.b_tail.x + value
-		"by":
-			_model.b_head.y = _model.b_tail.y + value
-
-
 # What the student sees.
 
 
 func _show() -> void:
-	ask_before(DotProductTexts.Step.SCALAR, DotProductTexts.question(_model), _truth, _first_guess)
+	ask_before(
+		DotProductTexts.Step.SCALAR,
+		DotProductTexts.question(_model),
+		_model.shadow_end,
+		func() -> Vec2: return _model.a_head.lerped(_model.b_head, 0.5)
+	)
 	ask_choice_before(
 		DotProductTexts.Step.BOTH,
 		DotProductTexts.question_on_both(_model),
@@ -110,27 +93,16 @@ func _show() -> void:
 	_formula.show_model(_model, step, (services[&"transport"] as Transport).is_playing)
 	_show_verdict()
 	_show_plot()
-	_readout.show_model(_model, step)
 	tell_code(DotProductCode.lines(_model, step), DotProductCode.inputs(_model))
-
-
-# Where the shadow ends; null where there is none.
-func _truth() -> Vec2:
-	var has_shadow := _model.onto().length() > 0.0 and _model.shadowed().length() > 0.0
-	return _model.foot(_model.shadowed_head()) if has_shadow else null
 
 
 # Whether the other shadow is longer, shorter or as long; -1 where there is nothing to compare.
 func _right_choice() -> int:
-	if not _model.normalizes or not _truth():
+	if not _model.normalizes or not _model.shadow_end():
 		return -1
 	if _model.is_dot_zero() or _model.has_equal_lengths():
 		return 2
 	return 0 if _model.onto().length() > _model.shadowed().length() else 1
-
-
-func _first_guess() -> Vec2:
-	return _model.a_head.lerped(_model.b_head, 0.5)
 
 
 # With the course's ball: green ahead, red behind.

@@ -146,6 +146,12 @@ func foot(point: Vec2) -> Vec2:
 	return onto_tail().plus(point.minus(onto_tail()).vector_projection(onto()))
 
 
+## Where the right shadow ends; null where there is none.
+func shadow_end() -> Vec2:
+	var has_shadow := onto().length() > 0.0 and shadowed().length() > 0.0
+	return foot(shadowed_head()) if has_shadow else null
+
+
 ## Whether [method scalar_projection] is another one than the right one: without normalizing, unless
 ## a length of 1 or a right angle hides the mistake.
 func is_wrong() -> bool:
@@ -181,6 +187,20 @@ func set_signed_angle_degrees(degrees: float) -> void:
 		b_head = head
 	else:
 		a_head = head
+
+
+## Takes a component of a or b; the tail stays where it is.
+func enter(name_in_line: String, value: float) -> String:
+	match name_in_line:
+		"ax":
+			a_head.x = a_tail.x + value
+		"ay":
+			a_head.y = a_tail.y + value
+		"bx":
+			b_head.x = b_tail.x + value
+		"by":
+			b_head.y = b_tail.y + value
+	return ""
 
 
 ## All of it, for undo and links: heads, and where they begin.

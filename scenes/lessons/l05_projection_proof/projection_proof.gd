@@ -36,17 +36,13 @@ func start() -> void:
 	_plot.x_pointed.connect(_turn_to)
 	add_child(CardPlace.new(_plot, board, services[&"steps"]))
 	_formula = ProjectionProofFormula.new(services[&"formula"] as Formula)
-	(services[&"options"] as LessonOptions).offer_presets(ProjectionProofModel.PRESETS)
-	var kinds := TurningExercise.Kind.size()
-	var questions := services[&"question"] as Question
-	questions.offer(TurningExercise.fresh, kinds, 0, TurningExercise.of_the_lecture)
+	offer_presets(ProjectionProofModel.PRESETS)
+	offer_questions(TurningExercise, TurningExercise.of_the_lecture)
 	(services[&"steps"] as Steps).step_changed.connect(_turn_for_step)
 	_transport.advanced.connect(_run)
-	on_enter(_model.enter)
-	on_pick(_model.take)
 	_model.turned_share = 0.0
 	begin(_model, _show, _model.points_to_show)
-	open_with(_swing.bind(_model.a.copy()))
+	open_with_swing(_swing.bind(_model.a.copy()), _SWINGS)
 
 
 # The turn is not part of the state: undo and reset change the vectors, and the turn goes on.
@@ -56,9 +52,9 @@ func show_state(stored: Dictionary) -> void:
 
 
 # What moves by itself, to hundredths.
-func _swing(seconds: float, first: Vec2) -> void:
+func _swing(share: float, first: Vec2) -> void:
 	var swung := first.copy()
-	swung.rotate_degrees(_SWING * OpeningMotion.swing(seconds, _SWINGS))
+	swung.rotate_degrees(_SWING * share)
 	_model.set_a(Vec2.new(snappedf(swung.x, 0.01), snappedf(swung.y, 0.01)))
 
 
@@ -79,11 +75,8 @@ func _turn_to(percent: float) -> void:
 
 func _run(seconds: float) -> void:
 	set_process(false)
-	if _transport.is_playing and _model.turned_share == 1.0:
-		_model.turned_share = 0.0
-	_model.turned_share += seconds / _TURN_SECONDS
-	if _model.turned_share == 1.0:
-		_transport.is_playing = false
+	var turned := seconds / _TURN_SECONDS
+	_model.turned_share = _transport.flown(_model.turned_share, turned, 1.0)
 	_show_turn()
 
 

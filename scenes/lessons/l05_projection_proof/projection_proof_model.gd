@@ -89,12 +89,13 @@ func set_b(head: Vec2) -> void:
 
 
 ## Takes the number that has this name in the formula: `ax`, `ay`, `bx` or `by`.
-func enter(name_in_line: String, value: float) -> void:
+func enter(name_in_line: String, value: float) -> String:
 	var vector := a if name_in_line[0] == "a" else b
 	if name_in_line[1] == "x":
 		vector.x = value
 	else:
 		vector.y = value
+	return ""
 
 
 ## Gives a the value for which its head is at [param head] after the share of the turn.

@@ -9,9 +9,6 @@ const _SLIDES := 3.0
 const _FRAME_SECONDS := 0.4
 
 var _model := LineDistanceModel.new()
-var _formula: LineDistanceFormula
-var _readout: LineDistanceReadout
-
 # Seconds that the flight has run since its first frame.
 var _flown := 0.0
 
@@ -33,29 +30,24 @@ func start() -> void:
 	on_drag(_ball_handle.moved, _ball_handle.released, _move_ball)
 	on_point(MOUSE_BUTTON_LEFT, _put_ball)
 	on_point(MOUSE_BUTTON_RIGHT, _model.slide_to)
-	_formula = LineDistanceFormula.new(services[&"formula"] as Formula)
-	_readout = LineDistanceReadout.new(services[&"readout"] as Readout)
-	_options.offer_presets(LineDistanceModel.PRESETS)
+	show_in_panel(LineDistanceFormula.new(services[&"formula"] as Formula))
+	show_in_panel(LineDistanceReadout.new(services[&"readout"] as Readout))
+	offer_presets(LineDistanceModel.PRESETS)
 	_options.add_choice("rule", tr("Where the ball is red"), LineDistanceTexts.rules())
 	on_edit(_options.chosen, func(_key: String, place: int) -> void: _model.set_rule(place))
-	_transport.advanced.connect(_run_flight)
-	(services[&"mistakes"] as Mistakes).add_all(LineDistanceMistakes.infos())
-	var kinds := LineDistanceExercise.Kind.size()
-	(services[&"question"] as Question).offer(LineDistanceExercise.fresh, kinds)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
+	on_move(_transport.advanced, _run_flight)
+	offer_mistakes(LineDistanceMistakes.infos(), LineDistanceTexts.step_of_mistake)
+	offer_questions(LineDistanceExercise)
+	on_pick(_model.take, _show_speed)
 	begin(_model, _show, _model.points_to_show)
-	open_with(_slide_p.bind(_model.from_share))
+	open_with_swing(_slide_p.bind(_model.from_share), _SLIDES)
 
 
 # What moves by itself.
 
 
 # To hundredths, so that the numbers beside it stay short.
-func _slide_p(seconds: float, first: float) -> void:
-	var share := OpeningMotion.swing(seconds, _SLIDES)
+func _slide_p(share: float, first: float) -> void:
 	_model.from_share = first + snappedf(_SLIDE * share, 0.01)
 
 
@@ -69,7 +61,6 @@ func _run_flight(seconds: float) -> void:
 		_flown = seconds if is_over else _flown + seconds
 		_model.frame = int(_flown / _FRAME_SECONDS)
 		_transport.is_playing = _model.frame < _model.detection().last_frame()
-	_show()
 
 
 # What the student does.
@@ -83,11 +74,8 @@ func _put_ball(at: Vec2) -> void:
 	_move_ball(board.snapped_to_step(at))
 
 
-# A mistake is shown beside the right distance, a ball that is slow or fast in its flight.
-func _reveal(changes: Dictionary) -> void:
-	var is_new := changes.has("mistake") and _model.mistake != 0
-	if is_new and not LineDistanceTexts.is_compared(_model, step):
-		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DISTANCE)
+# A ball that is slow or fast is shown in its flight.
+func _show_speed(changes: Dictionary) -> void:
 	if changes.has("speed"):
 		(services[&"steps"] as Steps).go_to(LineDistanceTexts.Step.DETECTION)
 
@@ -114,5 +102,3 @@ func _show() -> void:
 	_options.reveal_choice("rule", step == LineDistanceTexts.Step.DETECTION)
 	_transport.visible = step == LineDistanceTexts.Step.DETECTION
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
-	_readout.show_model(_model, step)

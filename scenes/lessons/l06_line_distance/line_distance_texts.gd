@@ -42,6 +42,11 @@ static func is_compared(model: LineDistanceModel, step: int) -> bool:
 	return model.mistake != 0 and step >= Step.DISTANCE and step < Step.DETECTION
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return step if step >= Step.DISTANCE and step < Step.DETECTION else Step.DISTANCE
+
+
 ## What is asked before the distance is shown, translated.
 static func question_on_foot() -> String:
 	return LabText.translate(

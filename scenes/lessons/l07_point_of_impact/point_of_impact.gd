@@ -6,8 +6,6 @@ extends Lesson
 const _FLIGHTS := 5.0
 
 var _model := PointOfImpactModel.new()
-var _formula: PointOfImpactFormula
-var _readout: PointOfImpactReadout
 
 @onready var _drawing: PointOfImpactDrawing = %Drawing
 @onready var _line: DraggableVector = %Line
@@ -30,16 +28,11 @@ func start() -> void:
 	on_drag(_ghost_handle.moved, _ghost_handle.released, _model.slide_to)
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> void: _move_old(board.snapped_to_step(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> void: _move_new(board.snapped_to_step(at)))
-	_formula = PointOfImpactFormula.new(services[&"formula"] as Formula)
-	_readout = PointOfImpactReadout.new(services[&"readout"] as Readout)
-	(services[&"options"] as LessonOptions).offer_presets(PointOfImpactModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(PointOfImpactMistakes.infos())
-	var kinds := PointOfImpactExercise.Kind.size()
-	(services[&"question"] as Question).offer(PointOfImpactExercise.fresh, kinds)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
+	show_in_panel(PointOfImpactFormula.new(services[&"formula"] as Formula))
+	show_in_panel(PointOfImpactReadout.new(services[&"readout"] as Readout))
+	offer_presets(PointOfImpactModel.PRESETS)
+	offer_mistakes(PointOfImpactMistakes.infos(), PointOfImpactTexts.step_of_mistake)
+	offer_questions(PointOfImpactExercise)
 	begin(_model, _show, _model.points_to_show)
 	open_with(_fly.bind(_model.moment))
 
@@ -61,18 +54,6 @@ func _move_new(to: Vec2) -> void:
 	_model.new_position = to.copy()
 
 
-func _reveal(changes: Dictionary) -> void:
-	if changes.has("mistake"):
-		_model.show_mistake(_model.mistake)
-		_go_to_fraction()
-
-
-# A mistake is shown beside the right t: at the step of that, or later.
-func _go_to_fraction() -> void:
-	if _model.mistake != 0 and step < PointOfImpactTexts.Step.FRACTION:
-		(services[&"steps"] as Steps).go_to(PointOfImpactTexts.Step.FRACTION)
-
-
 # What the student sees.
 
 
@@ -86,21 +67,9 @@ func _show() -> void:
 	ask_before(
 		PointOfImpactTexts.Step.IMPACT,
 		PointOfImpactTexts.question_on_impact(),
-		_truth,
-		_first_guess
+		_model.touch_in_frame,
+		func() -> Vec2: return _model.old_position.lerped(_model.new_position, 0.1)
 	)
 	tell_steps(PointOfImpactTexts.sentences(_model))
 	tell_code(PointOfImpactCode.lines(_model, step), PointOfImpactCode.inputs(_model, step))
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
-	_readout.show_model(_model, step)
-
-
-# Null where the ball does not come to the line within the frame.
-func _truth() -> Vec2:
-	var is_on_the_way := _model.frame_case() == PointOfImpactModel.Case.IN_FRAME
-	return _model.impact_position() if is_on_the_way else null
-
-
-func _first_guess() -> Vec2:
-	return _model.old_position.lerped(_model.new_position, 0.1)

@@ -179,6 +179,11 @@ func show_mistake(number: int) -> void:
 			Refusal.push(take(PRESETS[preset]))
 
 
+## Where the ball touches the line on its way within the frame; null where it does not.
+func touch_in_frame() -> Vec2:
+	return impact_position() if frame_case() == Case.IN_FRAME else null
+
+
 ## The points that the board has to show: the ends of the line, both balls as far as half their
 ## radius, and the ball of a mistake that is not too far away.
 func points_to_show() -> Array[Vec2]:

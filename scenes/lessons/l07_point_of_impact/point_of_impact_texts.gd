@@ -31,6 +31,11 @@ static func is_compared(model: PointOfImpactModel, step: int) -> bool:
 	return model.mistake != 0 and step >= Step.FRACTION
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return maxi(step, Step.FRACTION)
+
+
 ## What is asked before t is shown, translated.
 static func question_on_case() -> String:
 	return LabText.translate("When does the ball first touch the line, on its good side?")

@@ -6,7 +6,6 @@ extends Lesson
 @export_range(0.001, 100.0, 0.001, "or_greater") var normal_length := 2.0
 
 var _model := ReflectionModel.new()
-var _formula: ReflectionFormula
 
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _readout: Readout = services.get(&"readout")
@@ -28,16 +27,11 @@ func start() -> void:
 	on_handle(%NormalHead as Handle, _drag_normal)
 	on_handle(_leaving_head, _drag_leaving)
 	add_child(CardPlace.new(%Table as Control, board, services[&"formula"]))
-	_formula = ReflectionFormula.new(services[&"formula"] as Formula)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("has_unit_normal", tr("Normal of length 1"))
-	options.offer_presets(ReflectionModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(ReflectionMistakes.infos())
-	var kinds := ReflectionExercise.Kind.size()
-	var questions := services[&"question"] as Question
-	questions.offer(ReflectionExercise.fresh, kinds, 0, ReflectionExercise.of_the_lecture)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
+	show_in_panel(ReflectionFormula.new(services[&"formula"] as Formula))
+	add_switch("has_unit_normal", tr("Normal of length 1"))
+	offer_presets(ReflectionModel.PRESETS)
+	offer_mistakes(ReflectionMistakes.infos())
+	offer_questions(ReflectionExercise, ReflectionExercise.of_the_lecture)
 	# While the ball flies, nothing else has to be shown anew.
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_tell_refusal)
@@ -74,17 +68,9 @@ func _drag_leaving(head: Vec2) -> void:
 	_model.fit_bounciness(head)
 
 
-func _reveal(changes: Dictionary) -> void:
-	if changes.has("mistake"):
-		_model.show_mistake(_model.mistake)
-
-
 func _fly(seconds: float) -> void:
-	if _transport.is_playing and _model.time == ReflectionModel.END:
-		_model.time = ReflectionModel.START
-	_model.time += seconds
-	if _model.time == ReflectionModel.END:
-		_transport.is_playing = false
+	var end := ReflectionModel.END
+	_model.time = _transport.flown(_model.time, seconds, end, ReflectionModel.START)
 	_drawing.show_ball(_model, _step())
 
 
@@ -121,7 +107,6 @@ func _show() -> void:
 	tell_steps(ReflectionTexts.sentences(_model))
 	tell_code(ReflectionCode.lines(_model, _step()), ReflectionCode.inputs(_model))
 	_drawing.show_model(_model, _step())
-	_formula.show_model(_model, _step())
 	_show_call()
 
 

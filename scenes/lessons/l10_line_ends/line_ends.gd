@@ -6,8 +6,6 @@ extends Lesson
 const _SECONDS_PER_FRAME := 2.0
 
 var _model := LineEndsModel.new()
-var _formula: LineEndsFormula
-var _readout: LineEndsReadout
 
 @onready var _drawing: LineEndsDrawing = %Drawing
 @onready var _transport: Transport = services.get(&"transport")
@@ -25,9 +23,8 @@ func start() -> void:
 
 
 func _fill_panel() -> void:
-	_formula = LineEndsFormula.new(services[&"formula"] as Formula)
-	on_enter(_enter_number)
-	_readout = LineEndsReadout.new(services[&"readout"] as Readout)
+	show_in_panel(LineEndsFormula.new(services[&"formula"] as Formula))
+	show_in_panel(LineEndsReadout.new(services[&"readout"] as Readout))
 	var options := services[&"options"] as LessonOptions
 	options.add_presets(LineEndsPresets.SHOTS.keys())
 	on_edit(options.preset_picked, _set_up)
@@ -49,10 +46,6 @@ func _fly(seconds: float) -> void:
 # What the student does.
 
 
-func _enter_number(name_in_line: String, value: float) -> String:
-	return LineEndsFormula.enter(_model, name_in_line, value)
-
-
 func _set_up(preset: String) -> void:
 	LineEndsPresets.lay(_model, preset)
 
@@ -70,11 +63,7 @@ func _show_exercise(exercise: CapExercise) -> void:
 
 # The frame is played from its start to its end and then stops. Only the drawing changes.
 func _advance(seconds: float) -> void:
-	if _transport.is_playing and _model.fraction >= 1.0:
-		_model.fraction = 0.0
-	_model.fraction = clampf(_model.fraction + seconds / _SECONDS_PER_FRAME, 0.0, 1.0)
-	if _model.fraction >= 1.0:
-		_transport.is_playing = false
+	_model.fraction = _transport.flown(_model.fraction, seconds / _SECONDS_PER_FRAME, 1.0)
 	_drawing.show_model(_model, step)
 
 
@@ -96,10 +85,8 @@ func _show() -> void:
 	)
 	tell_steps(LineEndsTexts.sentences(_model))
 	_drawing.show_model(_model, step)
-	_formula.show_model(_model, step)
 	var code := LineEndsCode.new(_model, step)
 	tell_code(code.lines, code.inputs)
-	_readout.show_model(_model, step)
 
 
 # Where the ball bounces on the line, or does not come past an end, there is nothing to ask.

@@ -34,21 +34,6 @@ func show_model(model: LineEndsModel, step: int) -> void:
 		_formula.show_lines(_GIVEN + _lines_on_cap(model, step))
 
 
-## Puts a typed number into [param model]. "" if it was taken, else one sentence; then nothing has
-## changed.
-static func enter(model: LineEndsModel, name_in_line: String, value: float) -> String:
-	var parts: Dictionary[String, RefCounted] = {
-		"p": model.start, "v": model.motion, "a": model.segment.start, "b": model.segment.end
-	}
-	return model.attempt(
-		func() -> void:
-			if name_in_line == "r":
-				model.radius = value
-			else:
-				parts[name_in_line[0]].set(name_in_line[1], value)
-	)
-
-
 func _put_given(model: LineEndsModel) -> void:
 	_formula.put_symbol("v", "v", Palette.Role.A)
 	_formula.put_number("px", model.start.x, Palette.Role.INK, tr("x of the ball's centre"))

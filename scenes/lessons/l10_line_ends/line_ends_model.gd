@@ -63,6 +63,19 @@ func set_line(from: Vec2, to: Vec2) -> String:
 	return attempt(func() -> void: segment = LineSegment.new(from, to))
 
 
+func enter(name_in_line: String, value: float) -> String:
+	var parts: Dictionary[String, RefCounted] = {
+		"p": start, "v": motion, "a": segment.start, "b": segment.end
+	}
+	return attempt(
+		func() -> void:
+			if name_in_line == "r":
+				radius = value
+			else:
+				parts[name_in_line[0]].set(name_in_line[1], value)
+	)
+
+
 ## Makes the change [param edit] and takes it back if it leads to numbers that cannot be used. "" or
 ## one sentence on why.
 func attempt(edit: Callable) -> String:

@@ -6,7 +6,6 @@ extends Lesson
 const _TURN_SPEED := TAU / OpeningMotion.LONGEST
 
 var _model := MoreDimensionsModel.new()
-var _formula: MoreDimensionsFormula
 # The vector as it was when the drag of its head began; empty while there is none.
 var _held: PackedFloat64Array = []
 
@@ -31,14 +30,11 @@ func start() -> void:
 	_picture.head_released.connect(func() -> void: _held = [])
 	# While the view turns, no number changes.
 	_picture.turned.connect(_turn)
-	_formula = MoreDimensionsFormula.new(services[&"formula"] as Formula)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("has_four", tr("Four components"))
-	options.add_switch("has_five", tr("Five components"))
-	options.offer_presets(MoreDimensionsModel.PRESETS)
-	var kinds := ComponentExercise.Kind.size()
-	(services[&"question"] as Question).offer(ComponentExercise.fresh, kinds)
-	on_enter(_model.enter)
+	show_in_panel(MoreDimensionsFormula.new(services[&"formula"] as Formula))
+	add_switch("has_four", tr("Four components"))
+	add_switch("has_five", tr("Five components"))
+	offer_presets(MoreDimensionsModel.PRESETS)
+	offer_questions(ComponentExercise)
 	on_pick(_pick)
 	about_to_show.connect(_fit)
 	begin(_model, _show)
@@ -102,7 +98,6 @@ func _show() -> void:
 		MoreDimensionsTexts.right_choice.bind(_model)
 	)
 	tell_steps(MoreDimensionsTexts.sentences(_model))
-	_formula.show_model(_model, step)
 	_picture.show_model(_model, step)
 	_bars.show_model(_model)
 	_show_parts()

@@ -47,7 +47,7 @@ func start() -> void:
 	on_move(_progress.stopped, _model.stop)
 	_plot.point_chosen.connect(_point)
 	add_child(CardPlace.new(_plot.legend, board, services[&"steps"]))
-	(services[&"question"] as Question).offer(SlopeExercise.fresh, SlopeExercise.Kind.size())
+	offer_questions(SlopeExercise)
 	_model.begin()
 	begin(_model, _show)
 	ask_choice_before(

@@ -2,14 +2,12 @@ extends Lesson
 ## The lesson on aiming at a target: a barrel on a hull that turns. Where both stand and where the
 ## target is at the start is in the scene.
 
-# In the opening the hull swings so far to both sides, in degrees, and so often in 20 seconds.
+# In the opening the hull swings so far to both sides, in degrees.
 const _SWING := 40.0
-const _SWINGS := 4.0
 
 var _model := AimAtModel.new()
 var _shots: AimShots
 var _formula: AimAtFormula
-var _readout: AimAtReadout
 var _clock: FlightClock
 
 @onready var _drawing: AimAtDrawing = %Drawing
@@ -33,28 +31,22 @@ func start() -> void:
 	on_point(MOUSE_BUTTON_LEFT, func(at: Vec2) -> String: return _move_target(_snapped(at)))
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_hull(_snapped(at)))
 	_formula = AimAtFormula.new(services[&"formula"] as Formula)
-	_readout = AimAtReadout.new(services[&"readout"] as Readout)
-	(services[&"options"] as LessonOptions).offer_presets(AimAtModel.PRESETS)
-	var gallery := services[&"mistakes"] as Mistakes
-	gallery.add_all(AimAtMistakes.infos())
-	gallery.mistake_picked.connect(_go_to_mistake)
-	var questions := services[&"question"] as Question
-	questions.offer(AimExercise.fresh, AimExercise.Kind.size(), 0, AimExercise.of_the_table)
-	on_enter(_model.enter)
-	on_pick(_model.take)
+	show_in_panel(AimAtReadout.new(services[&"readout"] as Readout))
+	offer_presets(AimAtModel.PRESETS)
+	offer_mistakes(AimAtMistakes.infos(), AimAtTexts.step_of_mistake)
+	offer_questions(AimExercise, AimExercise.of_the_table)
+	var points := func() -> Array[Vec2]:
+		return _drawing.points_to_show(_model, AimShots.new(_model))
+	begin(_model, _show, points)
 	var end := func() -> float: return _shots.end(step)
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
-	begin(_model, _show, _points)
 	about_to_show.connect(_clock.go_to.bind(0.0))
-	open_with(_swing.bind(_model.hull_degrees))
+	open_with_swing(_swing.bind(_model.hull_degrees))
 
 
 # What moves by itself: the hull swings, and the barrel with it. To hundredths, so that the numbers
 # beside it stay short.
-func _swing(seconds: float, first: float) -> void:
-	var share := OpeningMotion.swing(seconds, _SWINGS)
+func _swing(share: float, first: float) -> void:
 	_model.hull_degrees = AimAtModel.short(snappedf(first + _SWING * share, 0.01))
 
 
@@ -88,14 +80,6 @@ func _snapped(at: Vec2) -> Vec2:
 	return board.snapped_to_step(at)
 
 
-# A mistake is shown beside what is right: at the step of that.
-func _go_to_mistake(number: int) -> void:
-	var is_long := number == AimAtMistakes.LONG_WAY
-	var wanted := AimAtModel.Step.TURN if is_long else AimAtModel.Step.FIRE
-	if number != 0:
-		(services[&"steps"] as Steps).go_to(wanted)
-
-
 # What the student sees.
 
 
@@ -103,10 +87,6 @@ func _go_to_mistake(number: int) -> void:
 func _show_moment(seconds: float) -> void:
 	_model.time = seconds
 	_drawing.show_flight(_model, _shots, step)
-
-
-func _points() -> Array[Vec2]:
-	return _drawing.points_to_show(_model, AimShots.new(_model))
 
 
 func _show() -> void:
@@ -127,4 +107,3 @@ func _show() -> void:
 	tell_code(AimAtCode.lines(_model, step), AimAtCode.inputs(_model))
 	_drawing.show_model(_model, _shots, step)
 	_formula.show_model(_model, _shots, step)
-	_readout.show_model(_model, step)

@@ -154,14 +154,6 @@ func show_mistake(number: int) -> void:
 			Refusal.push(take(PRESETS[preset]))
 
 
-## Takes other values; a mistake that is switched on is shown where it makes a difference.
-func take(changes: Dictionary) -> String:
-	var problem := super(changes)
-	if changes.has("mistake") and not problem:
-		show_mistake(mistake)
-	return problem
-
-
 ## Seconds until a barrel that eases is as good as aligned.
 func end_of_turn() -> float:
 	return _HALF_LIVES * half_life

@@ -123,6 +123,11 @@ static func is_compared(model: AimAtModel, step: int) -> bool:
 	return model.mistake != 0 and step == AimAtModel.Step.FIRE
 
 
+## The step at which a mistake is compared, for who switches it on at any step.
+static func step_of_mistake(mistake: int, _step: int) -> int:
+	return AimAtModel.Step.TURN if mistake == AimAtMistakes.LONG_WAY else AimAtModel.Step.FIRE
+
+
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: AimAtModel, shots: AimShots, step: int) -> PackedStringArray:
 	match model.shot_case():

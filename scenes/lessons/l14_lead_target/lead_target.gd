@@ -2,14 +2,9 @@ extends Lesson
 ## The lesson on leading a moving target: where to aim so that bullet and target meet. Where both
 ## are and how they move at the start is in the scene.
 
-# In the opening the shot at where the target is now waits so long, in seconds, before it flies
-# again.
-const _PAUSE := 0.8
-
 var _model := LeadTargetModel.new()
 var _shots: LeadShots
 var _formula: LeadTargetFormula
-var _readout: LeadTargetReadout
 var _clock: FlightClock
 
 @onready var _drawing: LeadTargetDrawing = %Drawing
@@ -35,29 +30,19 @@ func start() -> void:
 	on_point(MOUSE_BUTTON_RIGHT, func(at: Vec2) -> String: return _move_places(at, _model.target))
 	add_child(CardPlace.new(_graph, board, services[&"formula"]))
 	_formula = LeadTargetFormula.new(services[&"formula"] as Formula)
-	_readout = LeadTargetReadout.new(services[&"readout"] as Readout)
-	(services[&"options"] as LessonOptions).offer_presets(LeadTargetModel.PRESETS)
-	var gallery := services[&"mistakes"] as Mistakes
-	gallery.add_all(LeadTargetMistakes.infos())
-	gallery.mistake_picked.connect(_go_to_mistake)
-	var questions := services[&"question"] as Question
-	var kinds := LeadExercise.Kind.size()
-	questions.offer(LeadExercise.fresh, kinds, 0, LeadExercise.of_the_table)
-	on_enter(_model.enter)
-	on_pick(_model.take)
+	show_in_panel(LeadTargetReadout.new(services[&"readout"] as Readout))
+	offer_presets(LeadTargetModel.PRESETS)
+	offer_mistakes(LeadTargetMistakes.infos(), LeadTargetTexts.step_of_mistake)
+	offer_questions(LeadExercise, LeadExercise.of_the_table)
+	var points := func() -> Array[Vec2]:
+		return _drawing.points_to_show(_model, LeadShots.new(_model))
+	begin(_model, _show, points)
 	var end := func() -> float: return _shots.end(step)
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
-	_graph.moment_pointed.connect(_clock.go_to)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
-	begin(_model, _show, _points)
 	about_to_show.connect(_clock.go_to.bind(0.0))
-	open_with(_play_shot)
-
-
-# What moves by itself: the shot at where the target is now, again and again.
-func _play_shot(seconds: float) -> void:
-	_clock.repeat(seconds, _PAUSE)
+	_graph.moment_pointed.connect(_clock.go_to)
+	# The shot at where the target is now, again and again.
+	open_with(_clock.repeat)
 
 
 # What the student does. After each change the shot flies from the beginning.
@@ -95,12 +80,6 @@ func _drag_speed(at: Vec2) -> String:
 	return _model.take({"speed": maxf(wanted, 1.0)})
 
 
-# A mistake is shown beside the right shot: at the step of that, or later.
-func _go_to_mistake(number: int) -> void:
-	if number != 0 and step < LeadTargetModel.Step.AIM:
-		(services[&"steps"] as Steps).go_to(LeadTargetModel.Step.FIRE)
-
-
 # What the student sees.
 
 
@@ -108,10 +87,6 @@ func _go_to_mistake(number: int) -> void:
 func _show_moment(seconds: float) -> void:
 	_model.time = seconds
 	_drawing.show_flight(_model, _shots, step)
-
-
-func _points() -> Array[Vec2]:
-	return _drawing.points_to_show(_model, LeadShots.new(_model))
 
 
 func _show() -> void:
@@ -124,7 +99,7 @@ func _show() -> void:
 	ask_before(
 		LeadTargetModel.Step.TIME,
 		LeadTargetTexts.question_on_place(_model),
-		_truth,
+		_model.first_meeting,
 		func() -> Vec2: return _model.target.copy()
 	)
 	_shots = LeadShots.new(_model)
@@ -132,11 +107,3 @@ func _show() -> void:
 	tell_code(LeadTargetCode.lines(_model, step), LeadTargetCode.inputs(_model))
 	_drawing.show_model(_model, _shots, step)
 	_formula.show_model(_model, _shots, step)
-	_readout.show_model(_model, step)
-
-
-# Null where nothing hits, or at once.
-func _truth() -> Vec2:
-	if not _model.can_hit() or _model.aim().time == 0.0:
-		return null
-	return _model.target_after(_model.aim().time, true)

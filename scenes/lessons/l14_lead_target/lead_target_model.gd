@@ -197,18 +197,16 @@ func show_mistake(number: int) -> void:
 			Refusal.push(take(PRESETS[preset]))
 
 
-## Takes other values; a mistake that is switched on is shown where it makes a difference.
-func take(changes: Dictionary) -> String:
-	var problem := super(changes)
-	if changes.has("mistake") and not problem:
-		show_mistake(mistake)
-	return problem
-
-
 ## Where the target's centre is after [param seconds]; [param as_seen] by the shooter, or on the
 ## ground.
 func target_after(seconds: float, as_seen: bool) -> Vec2:
 	return target.plus((relative_velocity() if as_seen else velocity).scaled(seconds))
+
+
+## Where the right shot meets the target as the shooter sees it; null where nothing hits, or at
+## once.
+func first_meeting() -> Vec2:
+	return target_after(aim().time, true) if can_hit() and aim().time != 0.0 else null
 
 
 ## Where the shooter is after [param seconds]: where it was, for itself.

@@ -138,6 +138,11 @@ static func is_compared(model: LeadTargetModel, step: int) -> bool:
 	return model.mistake != 0 and step >= LeadTargetModel.Step.AIM
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return step if step >= LeadTargetModel.Step.AIM else LeadTargetModel.Step.FIRE
+
+
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: LeadTargetModel, shots: LeadShots, step: int) -> PackedStringArray:
 	var words := _case_words(model)

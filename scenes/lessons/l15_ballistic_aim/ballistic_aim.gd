@@ -12,8 +12,6 @@ const _PAUSE := 0.4
 const _STEP := 10.0
 
 var _model := BallisticAimModel.new()
-var _formula: BallisticAimFormula
-var _readout: BallisticAimReadout
 # What the list of aims holds.
 var _arcs: PackedStringArray = []
 
@@ -35,27 +33,18 @@ func start() -> void:
 	on_handle(_speed_head, _drag_speed)
 	on_handle(_gravity_head, _drag_gravity)
 	on_handle(_velocity_head, _drag_velocity)
-	_fill_panel()
-	begin(_model, _show, _points)
-	open_with(_swing.bind(_model.target.copy()))
-
-
-func _fill_panel() -> void:
-	_formula = BallisticAimFormula.new(services[&"formula"] as Formula)
-	_readout = BallisticAimReadout.new(services[&"readout"] as Readout)
-	_options.add_switch("moves", tr("The target moves"))
-	_options.add_switch("falls", tr("The target falls"))
+	show_in_panel(BallisticAimFormula.new(services[&"formula"] as Formula))
+	show_in_panel(BallisticAimReadout.new(services[&"readout"] as Readout))
+	add_switch("moves", tr("The target moves"))
+	add_switch("falls", tr("The target falls"))
 	_options.add_choice("arc", tr("Which aim is flown"), [])
-	_options.offer_presets(BallisticAimModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(BallisticAimMistakes.infos())
-	var kinds := BallisticAimExercise.Kind.size()
-	(services[&"question"] as Question).offer(BallisticAimExercise.fresh, kinds)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
+	offer_presets(BallisticAimModel.PRESETS)
+	offer_mistakes(BallisticAimMistakes.infos(), BallisticAimModel.step_of_mistake)
+	offer_questions(BallisticAimExercise)
 	on_edit(_options.chosen, func(_key: String, place: int) -> void: _model.arc = place)
 	_transport.advanced.connect(_fly)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
+	begin(_model, _show, func() -> Array[Vec2]: return _drawing.points_to_show(_model, _step()))
+	open_with(_swing.bind(_model.target.copy()))
 
 
 # What moves by itself: the target goes up and down, and one straight shot after another comes too
@@ -92,28 +81,12 @@ static func _within(vector: Vec2) -> Vec2:
 	return Vec2.new(clampf(vector.x, -most, most), clampf(vector.y, -most, most))
 
 
-# A mistake is shown beside a single aim.
-func _reveal(changes: Dictionary) -> void:
-	var is_shown := _model.mistake == 0 or BallisticAimModel.is_of_arcs(_step())
-	if changes.has("mistake") and not is_shown:
-		(services[&"steps"] as Steps).go_to(BallisticAimModel.Step.ARCS)
-
-
 func _fly(seconds: float) -> void:
-	var end := _model.end(_step())
-	if _transport.is_playing and _model.time >= end:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds, 0.0, end)
-	if _model.time == end:
-		_transport.is_playing = false
+	_model.time = _transport.flown(_model.time, seconds, _model.end(_step()))
 	_drawing.show_flight(_model, _step())
 
 
 # What the student sees.
-
-
-func _points() -> Array[Vec2]:
-	return _drawing.points_to_show(_model, _step())
 
 
 func _show() -> void:
@@ -124,13 +97,14 @@ func _show() -> void:
 		BallisticAimTexts.right_choice.bind(_model)
 	)
 	ask_before(
-		BallisticAimModel.Step.ARCS, BallisticAimTexts.question_on_aim(), _truth, _first_guess
+		BallisticAimModel.Step.ARCS,
+		BallisticAimTexts.question_on_aim(),
+		_model.first_aim_point,
+		func() -> Vec2: return _model.target.copy()
 	)
 	tell_steps(BallisticAimTexts.sentences(_model))
 	tell_code(BallisticAimCode.lines(_model, _step()), BallisticAimCode.inputs(_model))
 	_drawing.show_model(_model, _step())
-	_formula.show_model(_model, _step())
-	_readout.show_model(_model, _step())
 	_show_arcs()
 
 
@@ -142,15 +116,6 @@ func _show_arcs() -> void:
 	if texts:
 		_options.show_choice("arc", _model.arc_flown())
 	_options.reveal_choice("arc", _step() >= BallisticAimModel.Step.ARCS and texts.size() > 1)
-
-
-# Null where no aim hits.
-func _truth() -> Vec2:
-	return _model.aim_point(_model.shots()[0]) if _model.has_shot() else null
-
-
-func _first_guess() -> Vec2:
-	return _model.target.copy()
 
 
 func _step() -> BallisticAimModel.Step:

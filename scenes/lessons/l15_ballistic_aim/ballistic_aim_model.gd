@@ -123,6 +123,11 @@ func has_shot() -> bool:
 	return not shots().is_empty()
 
 
+## Where the first aim that hits points; null where none hits.
+func first_aim_point() -> Vec2:
+	return aim_point(shots()[0]) if has_shot() else null
+
+
 ## The place in [method shots] of the aim that is flown.
 func arc_flown() -> int:
 	return clampi(arc, 0, maxi(shots().size() - 1, 0))
@@ -264,6 +269,11 @@ func wrong_shot() -> WrongShot:
 ## Whether [param step] is about a single aim, beside which that of a mistake is shown.
 static func is_of_arcs(step: Step) -> bool:
 	return step == Step.ARCS or step == Step.FIRE
+
+
+## The step at which a mistake is shown beside a single aim, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return step if is_of_arcs(step as Step) else Step.ARCS
 
 
 ## Whether the shot of the mistake is shown beside the right one at [param step].

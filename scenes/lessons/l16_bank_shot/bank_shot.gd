@@ -2,9 +2,8 @@ extends Lesson
 ## The lesson on bank shots: aim at the mirror image of the target in the wall that is moved by the
 ## radius. Start, target, radius and walls at the start are in the scene.
 
-## In the opening the target swings so far to both sides, in pixels, and so often in 20 seconds.
+## In the opening the target swings so far to both sides, in pixels.
 const _SWING := 40.0
-const _SWINGS := 4.0
 # As a share of the height of what is drawn.
 const _ROOM_FOR_CARD := 0.5
 
@@ -30,11 +29,17 @@ var _choices: BankShotChoices
 func start() -> void:
 	_read_scene()
 	_let_drag()
-	_fill_panel()
+	_formula = BankShotFormula.new(services[&"formula"] as Formula)
+	_readout = BankShotReadout.new(services[&"readout"] as Readout)
+	_choices = BankShotChoices.new(services[&"options"] as LessonOptions)
+	on_edit(_choices.options.chosen, _choose)
+	offer_presets(BankShotModel.PRESETS)
+	offer_mistakes(BankShotMistakes.infos(), BankShotModel.step_of_mistake)
+	offer_questions(BankShotExercise)
 	_transport.advanced.connect(_fly)
 	about_to_show.connect(_measure)
 	begin(_model, _show, _points)
-	open_with(_swing.bind(_model.board.target.copy()))
+	open_with_swing(_swing.bind(_model.board.target.copy()))
 
 
 func _read_scene() -> void:
@@ -52,45 +57,22 @@ func _let_drag() -> void:
 	for place in _walls.size():
 		var wall := _walls[place]
 		on_drag(wall.moved, wall.released, _move_wall.bind(place))
-	_let_drag_handle(%StartHandle as Handle, _model.move_start)
-	_let_drag_handle(%TargetHandle as Handle, _model.move_target)
-	_let_drag_handle(%RadiusHandle as Handle, _model.fit_radius)
-	_let_drag_handle(%ImageHandle as Handle, _model.fit_bounciness)
-
-
-func _let_drag_handle(handle: Handle, change: Callable) -> void:
-	on_drag(handle.moved, handle.released, change)
-
-
-func _fill_panel() -> void:
-	_formula = BankShotFormula.new(services[&"formula"] as Formula)
-	_readout = BankShotReadout.new(services[&"readout"] as Readout)
-	var options := services[&"options"] as LessonOptions
-	_choices = BankShotChoices.new(options)
-	on_edit(options.chosen, _choose)
-	options.offer_presets(BankShotModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(BankShotMistakes.infos())
-	var kinds := BankShotExercise.Kind.size()
-	(services[&"question"] as Question).offer(BankShotExercise.fresh, kinds)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
+	on_handle(%StartHandle as Handle, _model.move_start)
+	on_handle(%TargetHandle as Handle, _model.move_target)
+	on_handle(%RadiusHandle as Handle, _model.fit_radius)
+	on_handle(%ImageHandle as Handle, _model.fit_bounciness)
 
 
 # What moves by itself.
 
 
 # To hundredths, so that the numbers beside it stay short.
-func _swing(seconds: float, first: Vec2) -> void:
-	var share := OpeningMotion.swing(seconds, _SWINGS)
+func _swing(share: float, first: Vec2) -> void:
 	_model.board.target.x = snappedf(first.x + _SWING * share, 0.01)
 
 
 func _fly(seconds: float) -> void:
-	if _transport.is_playing and _seconds >= BankShotAnswer.LONGEST:
-		_seconds = 0.0
-	_seconds = clampf(_seconds + seconds, 0.0, BankShotAnswer.LONGEST)
-	if _seconds >= BankShotAnswer.LONGEST:
-		_transport.is_playing = false
+	_seconds = _transport.flown(_seconds, seconds, BankShotAnswer.LONGEST)
 	_drawing.show_balls(_model, _step(), _seconds)
 
 
@@ -103,14 +85,6 @@ func _move_wall(from: Vec2, to: Vec2, place: int) -> String:
 
 func _choose(key: String, place: int) -> String:
 	return _choices.choose(_model, key, place)
-
-
-func _reveal(changes: Dictionary) -> void:
-	if changes.has("mistake"):
-		_model.show_mistake(_model.mistake)
-		# A mistake is shown beside the right way: at the step of that, or later.
-		if _model.mistake != 0 and _step() < BankShotModel.Step.BOUNCE:
-			(services[&"steps"] as Steps).go_to(BankShotModel.Step.BOUNCE)
 
 
 # What the student sees.
@@ -143,7 +117,12 @@ func _show() -> void:
 		BankShotTexts.choices(),
 		func() -> int: return 1 if _model.board.bounces == 1 and _model.answer().way.hit else -1
 	)
-	ask_before(BankShotModel.Step.BOUNCE, BankShotTexts.question_on_bounce(), _truth, _first_guess)
+	ask_before(
+		BankShotModel.Step.BOUNCE,
+		BankShotTexts.question_on_bounce(),
+		_model.first_bounce,
+		func() -> Vec2: return _model.board.start.lerped(_model.board.target, 0.5)
+	)
 	tell_steps(BankShotTexts.sentences(_model))
 	tell_code(BankShotCode.lines(_model, _step()), BankShotCode.inputs(_model))
 	_choices.show_model(_model, _step())
@@ -151,15 +130,6 @@ func _show() -> void:
 	_drawing.show_model(_model, _step(), _seconds)
 	_formula.show_model(_model, _step())
 	_readout.show_model(_model, _step())
-
-
-func _truth() -> Vec2:
-	var way := _model.answer().way
-	return way.bounces[0] if way.hit else null
-
-
-func _first_guess() -> Vec2:
-	return _model.board.start.lerped(_model.board.target, 0.5)
 
 
 func _step() -> BankShotModel.Step:

@@ -6,12 +6,13 @@ extends RefCounted
 const _BOUNCES := "bounces"
 const _ORDER := "order"
 
-var _options: LessonOptions
+## Where the lists are.
+var options: LessonOptions
 
 
-## Adds the lists to [param options].
-func _init(options: LessonOptions) -> void:
-	_options = options
+## Adds the lists to [param its_options].
+func _init(its_options: LessonOptions) -> void:
+	options = its_options
 	var counts: PackedStringArray = [tr("1 bounce"), tr("2 bounces"), tr("3 bounces")]
 	options.add_choice(_BOUNCES, tr("Bounces"), counts)
 	options.add_choice(_ORDER, tr("Order of walls"), [])
@@ -27,7 +28,7 @@ func choose(model: BankShotModel, key: String, place: int) -> String:
 
 ## Shows what is chosen in [param model]; the orders from the step on that is about them.
 func show_model(model: BankShotModel, step: BankShotModel.Step) -> void:
-	_options.show_choice(_BOUNCES, model.board.bounces - 1)
-	_options.reveal_choice(_ORDER, step >= BankShotModel.Step.ORDERS)
-	_options.fill_choice(_ORDER, BankShotTexts.orders(model))
-	_options.show_choice(_ORDER, model.board.orders().find(model.order) + 1)
+	options.show_choice(_BOUNCES, model.board.bounces - 1)
+	options.reveal_choice(_ORDER, step >= BankShotModel.Step.ORDERS)
+	options.fill_choice(_ORDER, BankShotTexts.orders(model))
+	options.show_choice(_ORDER, model.board.orders().find(model.order) + 1)

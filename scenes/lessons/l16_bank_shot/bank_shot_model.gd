@@ -170,6 +170,17 @@ func show_mistake(number: int) -> void:
 		Refusal.push(take(PRESETS[telling.get(number, "One bounce")]))
 
 
+## The step at which a mistake is shown beside the right way, for who switches it on at
+## [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return maxi(step, Step.BOUNCE)
+
+
+## Where the ball bounces first on the right way; null where there is none.
+func first_bounce() -> Vec2:
+	return answer().way.bounces[0] if answer().way.hit else null
+
+
 ## The points that the board has to show at [param step]: the images of several bounces only where
 ## they are looked at, because they may be far away; where the board [param is_small], each image.
 func points_to_show(step: Step, is_small: bool) -> Array[Vec2]:

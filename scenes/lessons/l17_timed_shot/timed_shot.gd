@@ -11,8 +11,6 @@ const _SWING := 2.0
 const _STEP := 10.0
 
 var _model := TimedShotModel.new()
-var _formula: TimedShotFormula
-var _readout: TimedShotReadout
 
 @onready var _transport: Transport = services.get(&"transport")
 @onready var _options: LessonOptions = services.get(&"options")
@@ -38,28 +36,19 @@ func start() -> void:
 	on_handle(_centre, _drag_centre)
 	on_drag(_timeline.moment_wanted, _timeline.released, _take_moment)
 	add_child(CardPlace.new(_timeline, board, services[&"formula"]))
-	_fill_panel()
-	begin(_model, _show, _points)
-	open_with(_swing.bind(_model.target.copy()))
-
-
-func _fill_panel() -> void:
-	_formula = TimedShotFormula.new(services[&"formula"] as Formula)
-	_readout = TimedShotReadout.new(services[&"readout"] as Readout)
+	show_in_panel(TimedShotFormula.new(services[&"formula"] as Formula))
+	show_in_panel(TimedShotReadout.new(services[&"readout"] as Readout))
 	_options.add_choice("kind", tr("How target and barrel move"), TimedShotTexts.kinds())
-	_options.offer_presets(TimedShotModel.PRESETS)
-	(services[&"mistakes"] as Mistakes).add_all(TimedShotMistakes.infos())
-	var kinds := TimedShotExercise.Kind.size()
-	(services[&"question"] as Question).offer(TimedShotExercise.fresh, kinds)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
+	offer_presets(TimedShotModel.PRESETS)
+	offer_mistakes(TimedShotMistakes.infos(), TimedShotTexts.step_of_mistake)
+	offer_questions(TimedShotExercise)
 	on_edit(
 		_options.chosen,
 		func(_key: String, place: int) -> String: return _model.take({kind = place})
 	)
 	_transport.advanced.connect(_fly)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
+	begin(_model, _show, _drawing.points_to_show.bind(_model))
+	open_with(_swing.bind(_model.target.copy()))
 
 
 # What moves by itself: the target goes along its way and back.
@@ -105,35 +94,19 @@ static func _pair(vector: Vec2) -> PackedFloat64Array:
 	return [vector.x, vector.y]
 
 
-# A mistake is shown at the step that it is about.
-func _reveal(changes: Dictionary) -> void:
-	if changes.has("mistake") and _model.mistake != 0:
-		if not TimedShotTexts.is_compared(_model, _step()):
-			(services[&"steps"] as Steps).go_to(TimedShotTexts.step_of_mistake(_model.mistake))
-
-
 func _fly(seconds: float) -> void:
-	var end := _model.end(_step())
-	if _transport.is_playing and _model.time >= end:
-		_model.time = 0.0
-	_model.time = clampf(_model.time + seconds, 0.0, end)
-	if _model.time == end:
-		_transport.is_playing = false
+	_model.time = _transport.flown(_model.time, seconds, _model.end(_step()))
 	_drawing.show_motion(_model, _step())
 
 
 # What the student sees.
 
 
-func _points() -> Array[Vec2]:
-	return _drawing.points_to_show(_model)
-
-
 func _show() -> void:
 	ask_before(
 		TimedShotModel.Step.WAIT,
 		TimedShotTexts.question_on_moment(),
-		_truth,
+		_model.place_at_fire,
 		func() -> Vec2: return _model.target.copy()
 	)
 	ask_choice_before(
@@ -145,14 +118,7 @@ func _show() -> void:
 	tell_steps(TimedShotTexts.sentences(_model))
 	tell_code(TimedShotCode.lines(_model, _step()), TimedShotCode.inputs(_model))
 	_drawing.show_model(_model, _step())
-	_formula.show_model(_model, _step())
-	_readout.show_model(_model, _step())
 	_options.show_choice("kind", _model.kind)
-
-
-# Null where no moment hits.
-func _truth() -> Vec2:
-	return _model.target_after(_model.shot().fire) if _model.has_shot() else null
 
 
 func _step() -> TimedShotModel.Step:

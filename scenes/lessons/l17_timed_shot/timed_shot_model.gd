@@ -132,6 +132,11 @@ func has_shot() -> bool:
 	return shot().hit
 
 
+## Where the target is at the moment to fire that hits; null where no moment does.
+func place_at_fire() -> Vec2:
+	return target_after(shot().fire) if has_shot() else null
+
+
 ## Why no moment hits; only where none does.
 func reason() -> Reason:
 	match kind:

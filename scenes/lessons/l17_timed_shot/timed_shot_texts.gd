@@ -84,18 +84,20 @@ static func verdict_sign(model: TimedShotModel, step: TimedShotModel.Step) -> St
 
 ## Whether the mistake that is switched on is shown at [param step].
 static func is_compared(model: TimedShotModel, step: TimedShotModel.Step) -> bool:
-	if model.mistake == 0:
-		return false
-	if model.mistake == TimedShotMistakes.BULLET_FORGOTTEN:
-		return step == TimedShotModel.Step.WINDOW
-	return step in [TimedShotModel.Step.WAIT, TimedShotModel.Step.FIRE]
+	return model.mistake != 0 and step in _steps_of_mistake(model.mistake)
 
 
-## The step that a mistake is about.
-static func step_of_mistake(mistake: int) -> TimedShotModel.Step:
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(mistake: int, step: int) -> int:
+	var steps := _steps_of_mistake(mistake)
+	return step if step in steps else steps[0]
+
+
+# Those that the mistake is about.
+static func _steps_of_mistake(mistake: int) -> PackedInt32Array:
 	if mistake == TimedShotMistakes.BULLET_FORGOTTEN:
-		return TimedShotModel.Step.WINDOW
-	return TimedShotModel.Step.WAIT
+		return [TimedShotModel.Step.WINDOW]
+	return [TimedShotModel.Step.WAIT, TimedShotModel.Step.FIRE]
 
 
 static func _on_span(model: TimedShotModel) -> String:

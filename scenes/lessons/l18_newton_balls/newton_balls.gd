@@ -4,8 +4,6 @@ extends Lesson
 
 ## The keys that this lesson answers to.
 const ACTIONS := NewtonBallsKeys.ACTIONS
-# In the opening the balls wait so long, in seconds, before they meet again.
-const _PAUSE := 0.8
 
 ## The mass of ball 1 at the start, in any unit.
 @export_range(0.01, 100.0, 0.01) var first_mass := 1.0
@@ -30,15 +28,11 @@ func start() -> void:
 	_put_card_into_panel()
 	_formula = NewtonBallsFormula.new(services[&"formula"] as Formula)
 	_readout = NewtonBallsReadout.new(services[&"readout"] as Readout)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("has_newton", tr("Newton's laws (key A)"))
-	options.offer_presets(NewtonBallsPresets.all())
-	(services[&"mistakes"] as Mistakes).add_all(NewtonBallsMistakes.infos())
-	var questions := services[&"question"] as Question
-	var kinds := BounceOfBallsExercise.Kind.size()
-	questions.offer(BounceOfBallsExercise.fresh, kinds, 0, BounceOfBallsExercise.of_the_course)
+	add_switch("has_newton", tr("Newton's laws (key A)"))
+	offer_presets(NewtonBallsPresets.all())
+	offer_mistakes(NewtonBallsMistakes.infos(), NewtonBallsTexts.step_of_mistake)
+	offer_questions(BounceOfBallsExercise, BounceOfBallsExercise.of_the_course)
 	on_enter(_enter)
-	on_pick(_model.take, _reveal)
 	_follow_keys()
 	_fly(_model.run())
 	var end := func() -> float: return _run.end
@@ -46,7 +40,7 @@ func start() -> void:
 	_clock.longest_shown = BallRun.LONGEST
 	about_to_show.connect(_prepare)
 	begin(_model, _show, _points)
-	open_with(func(seconds: float) -> void: _clock.repeat(seconds, _PAUSE))
+	open_with(_clock.repeat)
 
 
 # On the board it would cover balls.
@@ -79,14 +73,7 @@ func _enter(name_in_line: String, value: float) -> String:
 	var meeting := _run.meeting
 	var first := meeting.first if meeting else 0
 	var second := meeting.second if meeting else 1
-	return _model.enter(name_in_line, value, first, second)
-
-
-func _reveal(changes: Dictionary) -> void:
-	if changes.has("mistake"):
-		_model.show_mistake(_model.mistake)
-		if _model.mistake != 0 and step < NewtonBallsModel.Step.AFTER:
-			(services[&"steps"] as Steps).go_to(NewtonBallsModel.Step.MOMENTUM)
+	return _model.enter_of_pair(name_in_line, value, first, second)
 
 
 # What the student sees.

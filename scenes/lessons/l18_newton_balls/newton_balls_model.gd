@@ -134,7 +134,7 @@ func take_next_bounciness() -> void:
 
 ## Takes a typed number by its name in the formula, for a meeting of the balls [param first] and
 ## [param second]. "" if it could be taken; else one sentence, and nothing changes.
-func enter(name_in_line: String, value: float, first: int, second: int) -> String:
+func enter_of_pair(name_in_line: String, value: float, first: int, second: int) -> String:
 	if name_in_line == "C":
 		return take({"bounciness": value})
 	var index := second if name_in_line.ends_with("2") else first

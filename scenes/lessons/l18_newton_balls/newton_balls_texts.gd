@@ -121,6 +121,11 @@ static func is_compared(model: NewtonBallsModel, meeting: BallMeeting, step: int
 	return meeting != null and model.shown_mistake() != 0 and step >= NewtonBallsModel.Step.AFTER
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return step if step >= NewtonBallsModel.Step.AFTER else NewtonBallsModel.Step.MOMENTUM
+
+
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: NewtonBallsModel, meeting: BallMeeting, step: int) -> PackedStringArray:
 	if not meeting:

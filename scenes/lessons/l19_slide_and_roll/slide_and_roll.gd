@@ -2,9 +2,6 @@ extends Lesson
 ## The lesson on sliding and rolling: a ball on a slope, with friction. The line and the radius at
 ## the start are in the scene.
 
-# In the opening the ball waits so long at the end, in seconds, before it slides again.
-const _PAUSE := 0.8
-
 var _model := SlideAndRollModel.new()
 var _race: BallRace
 var _formula: SlideAndRollFormula
@@ -29,29 +26,20 @@ func start() -> void:
 	add_child(CardPlace.new(_card, board, services[&"formula"]))
 	_formula = SlideAndRollFormula.new(services[&"formula"] as Formula)
 	_readout = SlideAndRollReadout.new(services[&"readout"] as Readout)
-	var options := services[&"options"] as LessonOptions
-	options.offer_presets(SlideAndRollModel.PRESETS)
-	options.add_switch("has_engine", tr("Godot"))
-	(services[&"mistakes"] as Mistakes).add_all(SlideAndRollMistakes.infos())
-	var questions := services[&"question"] as Question
-	var kinds := RollExercise.Kind.size()
-	questions.offer(RollExercise.fresh, kinds, 0, RollExercise.of_the_lecture)
-	on_enter(_model.enter)
-	on_pick(_pick)
-	var end := func() -> float: return _race.end(step)
-	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
+	offer_presets(SlideAndRollModel.PRESETS)
+	add_switch("has_engine", tr("Godot"))
+	offer_mistakes(SlideAndRollMistakes.infos(), SlideAndRollTexts.step_of_mistake)
+	offer_questions(RollExercise, RollExercise.of_the_lecture)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_model))
 	about_to_show.connect(func() -> void: _engine.show_model(_model))
 	_engine.measured.connect(_show_readout)
 	begin(_model, _show, func() -> Array[Vec2]: return _drawing.points_to_show(_model, step))
+	var end := func() -> float: return _race.end(step)
+	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
 	about_to_show.connect(_clock.go_to.bind(0.0))
-	open_with(_play_slide)
-
-
-# What moves by itself: the ball without friction, again and again.
-func _play_slide(seconds: float) -> void:
-	_clock.repeat(seconds, _PAUSE)
+	# The ball without friction, again and again.
+	open_with(_clock.repeat)
 
 
 # What the student does. After each change the balls start anew.
@@ -77,14 +65,6 @@ func _drag_speed(at: Vec2) -> String:
 
 func _point_friction(friction: float) -> String:
 	return _model.take({"friction": minf(friction, SlideAndRollModel.MOST_FRICTION)})
-
-
-# A mistake is seen in the race, and where it is right about the ball, in another preset.
-func _pick(changes: Dictionary) -> String:
-	var refusal := _model.take(changes)
-	if changes.get("mistake", 0) != 0 and step < SlideAndRollModel.Step.ROLL:
-		(services[&"steps"] as Steps).go_to(SlideAndRollModel.Step.RACE)
-	return refusal
 
 
 # What the student sees.

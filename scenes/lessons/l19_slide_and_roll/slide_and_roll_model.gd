@@ -214,15 +214,12 @@ func shows_mistake() -> bool:
 	return absf(wrong.distance_after(right.end_time) - length) > _SAME_WAY * length
 
 
-## The same as for every model. Where a mistake that is switched on changes nothing, a preset is
-## taken in which it does.
-func take(changes: Dictionary) -> String:
-	var problem := super(changes)
-	if changes.has("mistake") and not problem:
-		for preset: String in ["Rolls", "Level"]:
-			if mistake != 0 and not shows_mistake():
-				Refusal.push(take(PRESETS[preset]))
-	return problem
+## Switches a mistake on. Where it changes nothing, a preset is taken in which it does.
+func show_mistake(number: int) -> void:
+	mistake = number
+	for preset: String in ["Rolls", "Level"]:
+		if number != 0 and not shows_mistake():
+			Refusal.push(take(PRESETS[preset]))
 
 
 ## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with

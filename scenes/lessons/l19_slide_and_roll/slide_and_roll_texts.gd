@@ -124,6 +124,11 @@ static func is_compared(model: SlideAndRollModel, step: int) -> bool:
 	return model.mistake != 0 and step >= SlideAndRollModel.Step.ROLL
 
 
+## The step at which a mistake is compared, for who switches it on at [param step]: in the race.
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return step if step >= SlideAndRollModel.Step.ROLL else SlideAndRollModel.Step.RACE
+
+
 ## What was found at [param step], in a few lines, translated.
 static func verdict(model: SlideAndRollModel, race: BallRace, step: int) -> PackedStringArray:
 	var words: PackedStringArray = [_case_words(race)]

@@ -24,11 +24,14 @@ class LengthModel:
 		var numbers: PackedFloat64Array = stored["v"]
 		v.set_xy(numbers[0], numbers[1])
 
+	func enter(name_in_line: String, value: float) -> String:
+		v.set(name_in_line, value)
+		return ""
+
 
 func start() -> void:
 	_drag(_v.tail_point(), _v.head_point())
 	on_drag(_v.moved, _v.released, _drag)
-	on_enter(_enter)
 	begin(_model, _show, func() -> Array[Vec2]: return [_model.v])
 
 
@@ -37,10 +40,6 @@ func start() -> void:
 
 func _drag(tail: Vec2, head: Vec2) -> void:
 	_model.v = head.minus(tail)
-
-
-func _enter(name_in_line: String, value: float) -> void:
-	_model.v.set(name_in_line, value)
 
 
 # What the student sees.

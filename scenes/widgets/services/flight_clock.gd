@@ -5,6 +5,8 @@ extends RefCounted
 
 ## A flight lasts at most so many seconds of the student's, unless a lesson says otherwise.
 const LONGEST_SHOWN := 8.0
+## So long an opening waits at the end of its flight, in seconds, before the next one.
+const PAUSE := 0.8
 
 ## How many seconds of the student's a flight lasts at most.
 var longest_shown := LONGEST_SHOWN
@@ -32,7 +34,7 @@ func go_to(seconds: float) -> void:
 
 ## Where an opening is after [param seconds]: it plays the flight again and again, and waits
 ## [param pause] seconds at its end.
-func repeat(seconds: float, pause: float) -> void:
+func repeat(seconds: float, pause: float = PAUSE) -> void:
 	var end: float = _end.call()
 	_put(minf(fmod(seconds, end + pause), end))
 

@@ -57,6 +57,13 @@ func offer(
 	_ask()
 
 
+## The same for all kinds in the `enum Kind` of [param exercises], a class of [Exercise] with a
+## static method `fresh`.
+func offer_kinds(exercises: GDScript, first_kind: int, of_the_lecture: Callable) -> void:
+	var kinds: Dictionary = exercises.get_script_constant_map()["Kind"]
+	offer(Callable(exercises, &"fresh"), kinds.size(), first_kind, of_the_lecture)
+
+
 # What was answered before is cleared.
 func _ask() -> void:
 	_exercise = _next_exercise()

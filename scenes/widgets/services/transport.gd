@@ -30,9 +30,21 @@ var is_playing: bool:
 	set(value):
 		_play.button_pressed = value
 
+# A flight has come to its end.
+var _is_at_end := false
+
 @onready var _play: Button = %Play
 @onready var _slow: Button = %Slow
 @onready var _play_sign := _play.icon
+
+
+## While [signal advanced] is emitted: the time of a flight [param seconds] after [param time], from
+## [param begin] to [param end]. Time stops when the end was shown, and Play begins the flight anew.
+func flown(time: float, seconds: float, end: float, begin: float = 0.0) -> float:
+	var from := begin if is_playing and time >= end else time
+	var now := clampf(from + seconds, begin, end)
+	_is_at_end = now == end
+	return now
 
 
 func _ready() -> void:
@@ -44,7 +56,11 @@ func _ready() -> void:
 
 
 func _process(delta: float) -> void:
+	_is_at_end = false
 	advanced.emit(delta * (SLOW_SHARE if _slow.button_pressed else 1.0))
+	# What listens has shown the end by now: undo keeps it.
+	if _is_at_end:
+		is_playing = false
 
 
 func _unhandled_input(event: InputEvent) -> void:

@@ -85,14 +85,14 @@ func test_a_dragged_ball_stops_where_it_touches() -> void:
 
 
 func test_a_typed_number_belongs_to_ball_1_or_2() -> void:
-	assert_no_refusal(_model.enter("m2", 3.0, 0, 1))
-	assert_no_refusal(_model.enter("vx1", 4.0, 0, 1))
-	assert_no_refusal(_model.enter("vy2", -1.0, 0, 1))
-	assert_no_refusal(_model.enter("C", 0.25, 0, 1))
+	assert_no_refusal(_model.enter_of_pair("m2", 3.0, 0, 1))
+	assert_no_refusal(_model.enter_of_pair("vx1", 4.0, 0, 1))
+	assert_no_refusal(_model.enter_of_pair("vy2", -1.0, 0, 1))
+	assert_no_refusal(_model.enter_of_pair("C", 0.25, 0, 1))
 	assert_eq(_model.balls[1], PackedFloat64Array([2, -2, 0, -1, 3]))
 	assert_eq(_model.balls[0][2], 4.0)
 	assert_eq(_model.bounciness, 0.25)
-	assert_ne(_model.enter("m1", 100.5, 0, 1), "")
+	assert_ne(_model.enter_of_pair("m1", 100.5, 0, 1), "")
 	assert_eq(_model.balls[0][4], 1.0)
 
 

@@ -84,9 +84,9 @@ func test_a_stored_line_comes_back_and_shares_nothing() -> void:
 
 func test_a_number_changes_its_own_component_and_a_new_start_keeps_v() -> void:
 	_lay(Vec2.new(1.0, 2.0), Vec2.new(3.0, 4.0))
-	_model.enter("vx", 5.0)
-	_model.enter("sy", -6.0)
-	_model.enter("k", 9.0)
+	assert_no_refusal(_model.enter("vx", 5.0))
+	assert_no_refusal(_model.enter("sy", -6.0))
+	assert_no_refusal(_model.enter("k", 9.0))
 	assert_vec2(_model.start, Vec2.new(1.0, -6.0), 0.0)
 	assert_vec2(_model.v(), Vec2.new(5.0, 4.0), 0.0)
 	assert_eq(_model.times, 9.0)

@@ -95,8 +95,8 @@ func test_a_zero_b_has_no_direction_and_casts_no_shadow() -> void:
 
 func test_a_typed_number_changes_its_own_component() -> void:
 	var model := _model(Vec2.new(1, 2), Vec2.new(3, 4))
-	model.enter("ay", -5.0)
-	model.enter("bx", 6.0)
+	assert_no_refusal(model.enter("ay", -5.0))
+	assert_no_refusal(model.enter("bx", 6.0))
 	assert_vec2(model.a, Vec2.new(1, -5), 0.0)
 	assert_vec2(model.b, Vec2.new(6, 4), 0.0)
 
