@@ -7,8 +7,12 @@ extends LabTest
 const _BAR := 64.0
 
 
-func test_impacts_with_a_segment() -> void:
-	var rows := FrictionRows.new("ball_segment_friction")
+func test_impacts_with_a_segment_at_rest_or_moving() -> void:
+	for table: String in ["ball_segment_friction", "ball_moving_segment"]:
+		_fly_all(FrictionRows.new(table))
+
+
+func _fly_all(rows: FrictionRows) -> void:
 	var flown := 0
 	for row: int in rows.table.size():
 		var world := _world(rows, row)
@@ -28,7 +32,8 @@ func test_impacts_with_a_segment() -> void:
 			impact.normal = event.normal
 			impact.velocity = event.velocity_after
 			impact.spin = event.spin_after
-		rows.judge(row, impact, rows.ball(row).velocity.length())
+		var relative := rows.ball(row).velocity.minus(rows.segment_velocity(row))
+		rows.judge(row, impact, relative.length())
 	gut.p("%d rows flown, worst errors: %s" % [flown, rows.worst])
 	assert_gt(flown, 1350)
 	assert_eq(rows.wrong, PackedInt32Array())
@@ -78,6 +83,10 @@ func _world(rows: FrictionRows, row: int) -> EventWorld:
 	var longest := _longest(rows.table, row)
 	if longest > WorldLimits.LARGEST or world.add_segment(rows.segment(row)):
 		return null
+	if rows.table.has("wx"):
+		var motion := SegmentMotion.steady(rows.segment_velocity(row))
+		if world.set_segment_motion(0, motion):
+			return null
 	if world.add_ball(rows.ball(row)):
 		return null
 	assert_no_refusal(world.advance_to(longest))
