@@ -22,7 +22,7 @@ const NEARLY_ELASTIC := 0.999
 ## The next segment must still be below the ball this far beyond the end of the last, in pixels.
 const AHEAD := 1e-6
 ## A ball hops off a segment that turns for no longer than this takes to turn by so much, in radians.
-const _HOP_TURN := 0.05
+const HOP_TURN := 0.005
 ## A ball whose bounces on a cap are no higher than this, in pixels, slides over it.
 const LOWEST_HOP := 1e-9
 
@@ -489,7 +489,10 @@ func _enter_frame(index: int, surface: int) -> void:
 	if _touched_feature[index] == Impact.Feature.LINE:
 		_frame.note_belt(surface, normal)
 	if _segments.turn_of(surface) != 0.0:
-		_frame.hop(pressure, minf(BallPiles.LEAST_HOP, _HOP_TURN / absf(_segments.turn_of(surface))))
+		_frame.can_rest = false
+		var seconds := minf(BallPiles.LEAST_HOP, HOP_TURN / absf(_segments.turn_of(surface)))
+		if _piles.since_last_touch < seconds:
+			_frame.hop(pressure, seconds)
 
 
 func _leave_frame(index: int, surface: int) -> void:

@@ -43,8 +43,8 @@ func enter(index: int, segments: SegmentScan, place: int, point: Vec2) -> void:
 	_change_velocity(index, -1.0)
 
 
-## The ball hops off the surface, which presses on it with [param pressure] px/s²: for so many
-## seconds, at least.
+## The ball hops off the surface, for so many seconds at least. The surface presses on it with
+## [param pressure], in px/s².
 func hop(pressure: float, seconds: float) -> void:
 	can_rest = false
 	least_speed = maxf(0.5 * pressure * seconds, least_speed)

@@ -82,12 +82,12 @@ func see_from(place: int) -> void:
 
 ## See [method SegmentScan.velocity_x].
 func velocity_x(place: int) -> float:
-	return _movers[place].velocity.x if _movers.has(place) else 0.0
+	return _movers[place].velocity.x if _is_steady(place) else 0.0
 
 
 ## See [method SegmentScan.velocity_y].
 func velocity_y(place: int) -> float:
-	return _movers[place].velocity.y if _movers.has(place) else 0.0
+	return _movers[place].velocity.y if _is_steady(place) else 0.0
 
 
 ## See [method SegmentScan.velocity_at].
@@ -108,7 +108,7 @@ func seconds_left(place: int) -> float:
 ## The unit normal of a segment that only moves along is that which it was given: its ends are
 ## rounded anew each time.
 func normal_x(place: int) -> float:
-	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+	if _is_steady(place):
 		var given := _movers[place].given
 		return (given.start.y - given.end.y) / _length[place]
 	return super.normal_x(place)
@@ -116,7 +116,7 @@ func normal_x(place: int) -> float:
 
 ## See [method normal_x].
 func normal_y(place: int) -> float:
-	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+	if _is_steady(place):
 		var given := _movers[place].given
 		return (given.end.x - given.start.x) / _length[place]
 	return super.normal_y(place)
@@ -289,8 +289,7 @@ func _try_turning(place: int, is_pulled: bool) -> void:
 	var longest := minf(time, _LONGEST_LOOK)
 	var flying := Ball.new(Vec2.new(_x, _y), _radius, Vec2.new(_velocity_x, _velocity_y))
 	var pull := Vec2.new(_pull_x, _pull_y) if is_pulled else Vec2.zero()
-	var turning := TurningSegment.new(mover.segment_now(), mover.motion.pivot, mover.motion.turn)
-	if _turning.find(flying, turning, longest, pull):
+	if _turning.find(flying, mover.turning(), longest, pull):
 		if _turning.time < time:
 			_take(place, _turning.time, _turning.feature)
 	elif not _turning.is_gone and longest < time:
@@ -338,12 +337,16 @@ func _is_met(place: int, begin: float, end: float, is_pulled: bool) -> bool:
 	return is_met
 
 
+# Whether the segment at that place moves without turning.
+func _is_steady(place: int) -> bool:
+	return _movers.has(place) and _movers[place].motion.turn == 0.0
+
+
 # Whether the segment at that place moves with this velocity now, and does not turn.
 func _rests_in(place: int, frame_x: float, frame_y: float) -> bool:
-	var mover := _movers[place]
-	if mover.motion.turn != 0.0:
+	if not _is_steady(place):
 		return false
-	return mover.velocity.x == frame_x and mover.velocity.y == frame_y
+	return velocity_x(place) == frame_x and velocity_y(place) == frame_y
 
 
 # Puts the ends of a segment that moves where they are.
