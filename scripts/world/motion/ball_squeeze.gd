@@ -83,9 +83,7 @@ func _enclose(one: int, other: int, third: int) -> bool:
 		of_third = -of_third
 	if minf(weight, minf(of_other, of_third)) < LEAST_ANGLE:
 		return false
-	return _is_coming(
-		weight * _speeds[one] + of_other * _speeds[other] + of_third * _speeds[third]
-	)
+	return _is_coming(weight * _speeds[one] + of_other * _speeds[other] + of_third * _speeds[third])
 
 
 # Above 0 by more than rounding.

@@ -217,9 +217,15 @@ func squeeze_of(
 	if not is_hurried:
 		return Squeeze.NONE
 	var touched := at.minus(normal.scaled(of_ball.radius))
-	return (
-		Squeeze.HELD if squeeze.faces(normal, velocity_at(place, touched)) else Squeeze.SHAKEN
-	)
+	return Squeeze.HELD if squeeze.faces(normal, velocity_at(place, touched)) else Squeeze.SHAKEN
+
+
+## See [method SegmentScan.has_motion_near].
+func has_motion_near(x: float, y: float, radius: float) -> bool:
+	for place: int in _movers:
+		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
+			return true
+	return super.has_motion_near(x, y, radius)
 
 
 ## See [method SegmentScan.pressure_at].

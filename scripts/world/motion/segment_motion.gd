@@ -136,7 +136,9 @@ static func _problem_of_path(times: PackedFloat64Array, ways: Array[Vec2], repea
 		var sizes := [times.size(), ways.size()]
 		return "A path needs two times or more and a way for each, not %d and %d." % sizes
 	if times[0] != 0.0 or ways[0].length() != 0.0:
-		return "A path begins at 0 s with the way (0, 0), not at %s s with %s." % [times[0], ways[0]]
+		return (
+			"A path begins at 0 s with the way (0, 0), not at %s s with %s." % [times[0], ways[0]]
+		)
 	for place in range(1, times.size()):
 		if not (times[place] > times[place - 1] and times[place] < INF):
 			var values := [times[place - 1], times[place]]

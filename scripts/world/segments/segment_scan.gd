@@ -98,6 +98,30 @@ func first_accelerated_impact(
 	return index >= 0
 
 
+## Whether a ball under the same acceleration meets one of the round ends of the segment at that place,
+## if this goes on to move as it does now.
+func first_end(
+	place: int,
+	x: float,
+	y: float,
+	velocity_x_now: float,
+	velocity_y_now: float,
+	pull_x: float,
+	pull_y: float,
+	radius: float,
+	horizon: float
+) -> bool:
+	var seen_x := velocity_x_now - velocity_x(place)
+	var seen_y := velocity_y_now - velocity_y(place)
+	_accelerated.set_flight(x, y, seen_x, seen_y, pull_x, pull_y, radius)
+	time = minf(horizon, seconds_left(place))
+	index = -1
+	for end: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+		if _accelerated.with_point(end_x(place, end), end_y(place, end), time):
+			_take(place, _accelerated.time, end)
+	return index >= 0
+
+
 ## Tells before [method first_accelerated_impact] that the ball lies on the line through (x, y) with
 ## the unit normal (up_x, up_y), towards the ball. Then it can meet nothing that does not rise above
 ## the line, such as the end of the next line at a joint.
@@ -155,6 +179,12 @@ func velocity_at(_place: int, _point: Vec2) -> Vec2:
 	return Vec2.zero()
 
 
+## How fast and in which direction the belt of the segment at that place runs, in px/s.
+func belt_velocity(place: int) -> Vec2:
+	var speed: float = belts.get(place, 0.0)
+	return Vec2.new(normal_y(place), -normal_x(place)).scaled(speed)
+
+
 ## How fast the segment at that place turns, in rad/s.
 func turn_of(_place: int) -> float:
 	return 0.0
@@ -188,6 +218,11 @@ func is_near_belt(x: float, y: float, radius: float) -> bool:
 		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
 			return true
 	return false
+
+
+## Whether a ball at this point touches a belt or what moves.
+func has_motion_near(x: float, y: float, radius: float) -> bool:
+	return is_near_belt(x, y, radius)
 
 
 # The ball touches nothing.
