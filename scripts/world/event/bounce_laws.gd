@@ -464,30 +464,44 @@ func _really_touches(index: int, surface: int) -> bool:
 		return false
 	if _is_weightless():
 		_left_surface[index] = NOTHING
-	_find_contact(index, surface)
-	var normal := Vec2.new(_normal_x, _normal_y)
+	for one in _wake(index):
+		_forecast(one)
 	var is_hurried := _piles.is_hurried_now(index)
-	var squeeze := _segments.squeeze_of(
-		surface, ball(index), normal, is_hurried, _wall_points(position(index))
-	)
-	if squeeze == SegmentScan.Squeeze.SHAKEN:
-		_frame.shake()
-	elif squeeze == SegmentScan.Squeeze.HELD and _is_line(index, surface):
-		_enter_frame(index, surface)
-		_lay_on(index, surface)
-		_leave_frame(index)
-		return false
-	elif squeeze != SegmentScan.Squeeze.NONE:
-		_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
-		_set_free(index)
-		_lie_on(index, CRUSHED)
-		_spins.lie(index)
-		return false
-	return true
+	var squeeze := _segments.squeeze_of(ball(index), is_hurried, _wall_points(position(index)))
+	if squeeze == SegmentScan.Squeeze.HELD and not _is_line(index, surface):
+		squeeze = SegmentScan.Squeeze.CRUSHED
+	match squeeze:
+		SegmentScan.Squeeze.SHAKEN:
+			_frame.shake()
+		SegmentScan.Squeeze.HELD:
+			_find_contact(index, surface)
+			_enter_frame(index, surface)
+			_lay_on(index, surface)
+			_leave_frame(index)
+		SegmentScan.Squeeze.CRUSHED:
+			_hold(index, surface)
+	return squeeze <= SegmentScan.Squeeze.SHAKEN
+
+
+# What is around a ball, which touches this surface, crushes it after a while, or now.
+func _hold(index: int, surface: int) -> void:
+	_set_free(index)
+	_pull_x[index] = 0.0
+	_pull_y[index] = 0.0
+	_velocity_x[index] = _segments.crush_velocity.x
+	_velocity_y[index] = _segments.crush_velocity.y
+	_support[index] = CRUSHED
+	_left_surface[index] = surface
+	_piles.lie_until(index, time + _segments.crush_seconds)
 
 
 # A ball that is crushed is out of the world, and stays where it is.
 func _crush(index: int) -> void:
+	_restart(index)
+	var surface := _left_surface[index]
+	_find_contact(index, surface)
+	_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
+	_halt(index)
 	_is_there[index] = 0
 	_balls_there -= 1
 	if _uses_cells:

@@ -236,7 +236,8 @@ func _forecast_touch(index: int) -> void:
 			_forecast_end_of_lying(index, _piles.end_of_lying(index) - _start[index])
 			return
 		if _support[index] == CRUSHED:
-			_note_touch(index, 0.0, CRUSHED, CRUSH)
+			var seconds := _piles.end_of_lying(index) - _start[index]
+			_note_touch(index, maxf(seconds, 0.0), CRUSHED, CRUSH)
 			return
 		if _spins.slip_ends[index] < INF:
 			_forecast_accelerated_touch(index)

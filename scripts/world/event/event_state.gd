@@ -360,7 +360,7 @@ func is_resting(index: int) -> bool:
 ## Whether a ball has been crushed between two surfaces. It stays where this happened, and nothing
 ## touches it any more.
 func is_crushed(index: int) -> bool:
-	return _support[index] == CRUSHED
+	return _support[index] == CRUSHED and _is_there[index] == 0
 
 
 ## Whether a ball rolls on a segment or a wall, or lies without turning, because friction holds it:

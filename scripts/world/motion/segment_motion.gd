@@ -126,6 +126,14 @@ func velocity_of(piece: int) -> Vec2:
 	return _velocities[piece % _count()]
 
 
+## How far the segment comes from where it was at the time 0, in pixels, at its turning points.
+func longest_way() -> float:
+	var longest := 0.0
+	for way in _ways:
+		longest = maxf(longest, way.length())
+	return longest
+
+
 # A path that is repeated has no piece that begins at its end.
 func _count() -> int:
 	return _begins.size() - (1 if _period < INF else 0)

@@ -12,8 +12,8 @@ extends SegmentList
 enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
 ## What is around a ball that touches something: it can leave; hurried bounces between surfaces that
-## move would never end; two surfaces come nearer to each other and are about to crush it; it is
-## crushed.
+## move would never end; two opposite surfaces come nearer to each other and are about to crush it;
+## it is crushed after [member crush_seconds].
 enum Squeeze { NONE, SHAKEN, HELD, CRUSHED }
 
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
@@ -35,6 +35,10 @@ var time := INF
 var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
+## Seconds until a ball is crushed, and the velocity with which it has room until then, in px/s.
+var crush_seconds := INF
+## See [member crush_seconds].
+var crush_velocity: Vec2
 ## The segment that the ball touches already, or -1: see [method lie_on_line].
 var contact_place := -1
 ## How fast the surfaces of belts run, in px/s from start to end, by the places of their segments.
@@ -181,8 +185,9 @@ func velocity_at(_place: int, _point: Vec2) -> Vec2:
 
 ## How fast and in which direction the belt of the segment at that place runs, in px/s.
 func belt_velocity(place: int) -> Vec2:
-	var speed: float = belts.get(place, 0.0)
-	return Vec2.new(normal_y(place), -normal_x(place)).scaled(speed)
+	if not belts.has(place):
+		return Vec2.zero()
+	return Vec2.new(normal_y(place), -normal_x(place)).scaled(belts[place])
 
 
 ## How fast the segment at that place turns, in rad/s.
@@ -201,13 +206,11 @@ func pressure_at(_place: int, _centre: Vec2, _velocity: Vec2, _normal: Vec2) -> 
 	return 0.0
 
 
-## What is around a ball that touches the segment at this place, or a wall for less than 0, with this
-## unit normal towards it; [param is_hurried] after many touches one right after the other.
-## [param wall_points] are the nearest points of walls.
-func squeeze_of(
-	_place: int, of_ball: Ball, _normal: Vec2, is_hurried: bool, _wall_points: Array[Vec2]
-) -> Squeeze:
-	if is_hurried and is_near_belt(of_ball.position.x, of_ball.position.y, of_ball.radius):
+## What is around a ball that touches something; [param is_hurried] after many touches one right after
+## the other. [param wall_points] are the nearest points of walls.
+func squeeze_of(of_ball: Ball, is_hurried: bool, _wall_points: Array[Vec2]) -> Squeeze:
+	var at := of_ball.position
+	if is_hurried and is_near_belt(at.x, at.y, of_ball.radius):
 		return Squeeze.SHAKEN
 	return Squeeze.NONE
 
