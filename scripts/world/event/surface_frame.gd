@@ -7,8 +7,8 @@ extends RefCounted
 ## On a segment that turns a ball never lies: its short bounces end in hops, which are too low to be
 ## seen. So do those of a ball that is shaken, to and fro between surfaces that move.
 
-## A hop off a segment that turns takes [constant BallPiles.LEAST_HOP], or no longer than the segment
-## takes to turn by this, in radians.
+## A hop off a segment that turns takes [constant BallPiles.LEAST_HOP], or no longer than the
+## segment takes to turn by this, in radians.
 const HOP_TURN := 0.005
 
 ## x of the velocity of the frame, in px/s; 0 while no ball is in it.

@@ -7,8 +7,11 @@ extends FuzzKind
 
 ## How many steps are the short ones.
 const STEPS := 48
-## In another frame the places are the same up to this, in pixels.
+## In another frame the places are the same up to this, in pixels, or up to [constant FRAME_SHARE]
+## of the largest coordinate: what is hit by a fast line flies far.
 const FRAME_ERROR := 1e-8
+## See [constant FRAME_ERROR].
+const FRAME_SHARE := 1e-10
 ## So many impacts are compared in another frame: after each one the error of a place grows.
 const MOST_IN_FRAME := 3
 
@@ -265,7 +268,7 @@ func _problem_in_frame(world: FuzzWorld, flight: WatchedWorld, wind: Vec2) -> St
 			continue
 		there.subtract(wind.scaled(world.seconds))
 		var error := there.distance_to(flight.position(index))
-		if not error <= maxf(FRAME_ERROR, 1e-13 * _farthest(flight)):
+		if not error <= maxf(FRAME_ERROR, FRAME_SHARE * _farthest(flight)):
 			return "In a frame that moves a ball is off by %s px." % error
 	return ""
 
