@@ -74,7 +74,6 @@ func _go_on(index: int, kind: int) -> void:
 		_bounce(index)
 
 
-# A ball touches a wall or a segment.
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
@@ -174,7 +173,9 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	speed = maxf(speed, _frame.least_speed)
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
-	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
+	if not _frame.can_rest:  # A hop may be faster than the approach.
+		_lasting_speed[index] = NAN
+	elif _bounciness == 1.0 and surface >= 0 and _is_weightless():
 		if is_nan(_lasting_speed[index]):
 			_lasting_speed[index] = speed_squared
 		_keep_speed(index, _lasting_speed[index])
@@ -293,7 +294,6 @@ func _bounce_between_walls(index: int, target: float, target_low: float) -> void
 	_queue.change(index, event_time, event_low)
 
 
-# Two balls meet.
 func _collide(one: int, other: int) -> void:
 	if _takes_short_ways and _uses_cells and _bounciness == 1.0 and not keeps_events:
 		_collide_fast(one, other)

@@ -9,7 +9,7 @@ extends RefCounted
 
 ## A hop off a segment that turns takes [constant BallPiles.LEAST_HOP], or no longer than the
 ## segment takes to turn by this, in radians.
-const HOP_TURN := 0.005
+const HOP_TURN := 0.02
 
 ## x of the velocity of the frame, in px/s; 0 while no ball is in it.
 var x := 0.0
