@@ -11,7 +11,10 @@ extends BallSupport
 
 # Gravity, bounciness, friction, walls or segments may have been changed.
 func _take_settings() -> void:
-	_takes_short_ways = _is_weightless() and _friction == 0.0
+	_moves = _segments.has_motion()
+	_takes_short_ways = _is_weightless() and _friction == 0.0 and not _moves
+	_frame.set_up(_segments, Vec2.new(_gravity_x, _gravity_y))
+	_counts_touches = _bounciness < 1.0 or _moves
 	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	_least_squared_speed = 2.0 * strength * REST_HEIGHT
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
@@ -39,34 +42,42 @@ func _happen(index: int) -> void:
 		_collide(index, _event_with[index])
 	elif kind == LOOK_AGAIN:
 		_forecast_event(index)
-	elif kind == SLIDE_OFF:
+	elif kind == CRUSH:
+		_crush(index)
+	else:
 		_counted_impacts -= 1
+		_go_on(index, kind)
+		_forecast(index)
+
+
+# What is no impact happens to a ball that something supports.
+func _go_on(index: int, kind: int) -> void:
+	var surface := _support[index]
+	if kind == SUPPORT_TURNS:
+		_go_on_from_here(index)
+		_leave_support(index)
+		return
+	_enter_frame(index, surface)
+	if kind == SLIDE_OFF:
 		_touched[index] = _slide_off(index)
-		if _touched[index] != NOTHING:
-			_touched_feature[index] = Impact.Feature.LINE
-			_bounce(index)
-		_forecast(index)
 	elif kind == FOLLOW_CAP:
-		_counted_impacts -= 1
 		_follow_cap(index)
-		_forecast(index)
+	elif kind == END_SLIP:
+		_end_slip(index)
 	elif kind == TRY_AGAIN:
-		_counted_impacts -= 1
 		_restart(index)
 		if not _settle(index):
 			_set_free(index)
-		_forecast(index)
-	elif kind == END_SLIP:
-		_counted_impacts -= 1
-		_end_slip(index)
-		_forecast(index)
+	_leave_frame(index)
+	if kind == SLIDE_OFF and _touched[index] != NOTHING:
+		_touched_feature[index] = Impact.Feature.LINE
+		_bounce(index)
 
 
-# A ball touches a wall or a segment.
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
-	if _bounciness < 1.0:
+	if _counts_touches:
 		# A touch that follows too many hurried ones counts as one of a pile-up. What can hardly rise
 		# any more stands still for a moment, so that gravity can take it out.
 		if _piles.is_hurried(index, surface, time - _start[index]):
@@ -79,17 +90,21 @@ func _bounce(index: int) -> void:
 		if _touched_feature[index] == Impact.Feature.LINE:
 			_bounce_off_segment_fast(index, surface)
 			return
+	if _moves and not _really_touches(index, surface):
+		return
 	var event := _begin_event(index)
 	if _takes_short_ways and surface < NOTHING:
 		_bounce_off_wall(index, surface, event)
 		return
 	_find_contact(index, surface)
+	_enter_frame(index, surface)
 	var approach := -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
 	var has_left_line := _left_feature[index] == Impact.Feature.LINE
 	if surface == _left_surface[index] and has_left_line and _is_line(index, surface):
 		# It comes back as fast as it left: no digit is lost from bounce to bounce.
 		approach = _left_speed[index]
 	_bounce_off(index, surface, maxf(approach, 0.0), event)
+	_leave_frame(index)
 	if _piles.slow_speed > 0.0:
 		_piles.count_touch(index, time)
 		_calm(index)
@@ -113,7 +128,7 @@ func _bounce_off_line(index: int, surface: int, approach: float, event: WorldEve
 		_left_surface[index] = surface
 		_left_speed[index] = speed
 	_end_event(index, surface, event)
-	if not _is_weightless():
+	if not _is_weightless() and _frame.can_rest:
 		_rest_if_over(index, surface, speed, pressure)
 
 
@@ -142,7 +157,7 @@ func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent)
 		_left_surface[index] = place
 		_left_speed[index] = speed
 	_end_event(index, place, event)
-	if _is_weightless():
+	if _is_weightless() or not _frame.can_rest:
 		return
 	if _is_held_by_two(index):
 		_lie_still(index, place)
@@ -155,9 +170,12 @@ func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent)
 func _reflect(index: int, surface: int, approach: float, pressure: float) -> float:
 	var speed_squared := _squared_speed(index)
 	var speed := approach if _is_pile_up(index) else _bounciness * approach
+	speed = maxf(speed, _frame.least_speed)
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
-	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
+	if not _frame.can_rest:  # A hop may be faster than the approach.
+		_lasting_speed[index] = NAN
+	elif _bounciness == 1.0 and surface >= 0 and _is_weightless():
 		if is_nan(_lasting_speed[index]):
 			_lasting_speed[index] = speed_squared
 		_keep_speed(index, _lasting_speed[index])
@@ -276,7 +294,6 @@ func _bounce_between_walls(index: int, target: float, target_low: float) -> void
 	_queue.change(index, event_time, event_low)
 
 
-# Two balls meet.
 func _collide(one: int, other: int) -> void:
 	if _takes_short_ways and _uses_cells and _bounciness == 1.0 and not keeps_events:
 		_collide_fast(one, other)
@@ -305,49 +322,7 @@ func _collide_by_laws(one: int, other: int) -> void:
 # events, written out.
 func _collide_fast(one: int, other: int) -> void:
 	impacts += 1
-	var flown := (time - _start[one]) + (_time_low - _start_low[one])
-	var one_velocity_x := _velocity_x[one]
-	var one_velocity_y := _velocity_y[one]
-	var one_x := _x[one] + one_velocity_x * flown
-	var one_y := _y[one] + one_velocity_y * flown
-	flown = (time - _start[other]) + (_time_low - _start_low[other])
-	var other_velocity_x := _velocity_x[other]
-	var other_velocity_y := _velocity_y[other]
-	var other_x := _x[other] + other_velocity_x * flown
-	var other_y := _y[other] + other_velocity_y * flown
-	var dx := one_x - other_x
-	var dy := one_y - other_y
-	var distance := sqrt(dx * dx + dy * dy)
-	var normal_x := dx / distance if distance > 0.0 else 0.0
-	var normal_y := dy / distance if distance > 0.0 else 0.0
-	var approach := (
-		(other_velocity_x - one_velocity_x) * normal_x
-		+ (other_velocity_y - one_velocity_y) * normal_y
-	)
-	if approach > 0.0:
-		var share := (approach + approach) / (_mass[one] + _mass[other])
-		one_velocity_x += share * _mass[other] * normal_x
-		one_velocity_y += share * _mass[other] * normal_y
-		other_velocity_x -= share * _mass[one] * normal_x
-		other_velocity_y -= share * _mass[one] * normal_y
-		_lasting_speed[one] = NAN
-		_lasting_speed[other] = NAN
-	_last_meeting[one] = time
-	_last_meeting[other] = time
-	_left_surface[one] = NOTHING
-	_left_surface[other] = NOTHING
-	_x[one] = one_x
-	_y[one] = one_y
-	_velocity_x[one] = one_velocity_x
-	_velocity_y[one] = one_velocity_y
-	_start[one] = time
-	_start_low[one] = _time_low
-	_x[other] = other_x
-	_y[other] = other_y
-	_velocity_x[other] = other_velocity_x
-	_velocity_y[other] = other_velocity_y
-	_start[other] = time
-	_start_low[other] = _time_low
+	_cells.push_apart(one, other, time, _time_low)
 	_forecast(one)
 	_forecast(other)
 
@@ -423,8 +398,8 @@ func _exchange(one: int, other: int) -> void:
 	var pull_y := _pull_y[one] - _pull_y[other]
 	if pull_x != 0.0 or pull_y != 0.0:
 		var around := velocity_x * _normal_y - velocity_y * _normal_x
-		var outwards := around * around / (_radius[one] + _radius[other])
-		var pressure := -(pull_x * _normal_x + pull_y * _normal_y) - outwards
+		var pressure := -(pull_x * _normal_x + pull_y * _normal_y)
+		pressure -= around * around / (_radius[one] + _radius[other])
 		approach = maxf(approach, 0.0)
 		speed = BallPiles.hop_speed(speed, approach, pressure)
 	if _bounciness < 1.0:
@@ -449,12 +424,19 @@ func _exchange(one: int, other: int) -> void:
 func _leave_support(index: int) -> void:
 	_left_surface[index] = NOTHING
 	var surface := _support[index]
-	if surface == NOTHING or surface == ON_BALLS:
+	if surface == NOTHING or surface <= ON_BALLS:
 		return
 	_touched_feature[index] = _rolled_end[index]
 	if surface >= 0 and _rolled_end[index] == Impact.Feature.LINE:
 		_touched_feature[index] = _segments.nearest_feature(surface, _x[index], _y[index])
 	_find_contact(index, surface)
+	_enter_frame(index, surface)
+	_take_push(index, surface)
+	_leave_frame(index)
+
+
+# A ball that lay on this surface, whose normal must be known, has got another velocity.
+func _take_push(index: int, surface: int) -> void:
 	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
 	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
 	var is_slow := _bounciness < 1.0 and -speed <= 0.5 * pressure * BallPiles.LEAST_HOP
@@ -473,9 +455,41 @@ func _leave_support(index: int) -> void:
 		_bounce_off(index, surface, -speed, _begin_event(index))
 
 
-# Whether a ball that touches this surface touches a straight line, and not a cap.
-func _is_line(index: int, surface: int) -> bool:
-	return surface < NOTHING or _touched_feature[index] == Impact.Feature.LINE
+# Where lines move: whether a ball that was foreseen to touch this surface does so. It may have to
+# look again only.
+func _really_touches(index: int, surface: int) -> bool:
+	if surface == NOTHING or _is_weightless():
+		_left_surface[index] = NOTHING
+	if surface == NOTHING:
+		impacts -= 1
+		return false
+	for one in _wake(index):
+		_forecast(one)
+	var squeeze := _segments.squeeze_of(ball(index), _piles.is_hurried_now(index))
+	if squeeze == SegmentScan.Squeeze.SHAKEN:
+		_frame.shake()
+	elif squeeze == SegmentScan.Squeeze.CRUSHED:
+		_hold(index, surface)
+	return squeeze != SegmentScan.Squeeze.CRUSHED
+
+
+# What is around a ball, which touches this surface, crushes it after a while, or now.
+func _hold(index: int, surface: int) -> void:
+	_set_free(index)
+	_lie_on(index, CRUSHED)
+	_velocity_x[index] = _segments.crush_velocity.x
+	_velocity_y[index] = _segments.crush_velocity.y
+	_left_surface[index] = surface
+	_piles.lie_until(index, time + _segments.crush_seconds)
+
+
+# A ball that is crushed is out of the world, and stays where it is.
+func _crush(index: int) -> void:
+	_restart(index)
+	var surface := _left_surface[index]
+	_find_contact(index, surface)
+	_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
+	_take_out(index)
 
 
 # The unit normal of what a ball touches, towards the ball.
@@ -484,8 +498,3 @@ func _find_contact(index: int, surface: int) -> void:
 		_find_normal(index, surface)
 	else:
 		_find_cap_normal(index, surface, _touched_feature[index] as Impact.Feature)
-
-
-# Whether a ball has met another one so recently that it loses no speed now: see BallPiles.PILE_UP.
-func _is_pile_up(index: int) -> bool:
-	return time - _last_meeting[index] < BallPiles.PILE_UP

@@ -233,7 +233,12 @@ func _forecast_touch(index: int) -> void:
 		return
 	if _support[index] < NOTHING:
 		if _support[index] == ON_BALLS:
-			_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
+			_forecast_end_of_lying(index, _piles.end_of_lying(index) - _start[index])
+			return
+		if _support[index] == CRUSHED:
+			_note_touch(
+				index, maxf(_piles.end_of_lying(index) - _start[index], 0.0), CRUSHED, CRUSH
+			)
 			return
 		if _spins.slip_ends[index] < INF:
 			_forecast_accelerated_touch(index)
@@ -272,6 +277,15 @@ func _forecast_touch(index: int) -> void:
 	_note_touch(index, seconds, surface, TOUCH)
 
 
+# A ball that lies in a pile tries again after a while, unless a segment comes before.
+func _forecast_end_of_lying(index: int, seconds: float) -> void:
+	if _moves and _segments.first_impact(_x[index], _y[index], 0.0, 0.0, _radius[index], seconds):
+		_touched_feature[index] = _segments.feature
+		_note_touch(index, _segments.time, _segments.index, TOUCH)
+	else:
+		_note_touch(index, seconds, ON_BALLS, TRY_AGAIN)
+
+
 # Stores the touch that comes after this many seconds of flight. Its time is a sum of two numbers
 # (two-sum), the second one smaller than the last place of the first, so that times can be compared.
 func _note_touch(index: int, seconds: float, surface: int, kind: int) -> void:
@@ -301,6 +315,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 			_forecast_slide(index, _support[index])
 		else:
 			_take(_piece[index], _support[index], FOLLOW_CAP)
+		if _moves and _segments.seconds_left(_support[index]) <= _seconds:
+			_take(_segments.seconds_left(_support[index]), _support[index], SUPPORT_TURNS)
 	if _has_walls:
 		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
 			_forecast_wall(index, wall)
@@ -324,6 +340,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 		):
 			_take(_segments.time, _segments.index, TOUCH)
 			_touched_feature[index] = _segments.feature
+			if _segments.index == skipped:  # Which has begun to move otherwise.
+				_left_surface[index] = NOTHING
 	_note_touch(index, _seconds, _surface, _kind)
 
 
@@ -334,27 +352,12 @@ func _take(seconds: float, surface: int, kind: int) -> void:
 
 
 func _forecast_wall(index: int, wall: int) -> void:
-	var radius := _radius[index]
-	var height := 0.0
-	var speed := _velocity_x[index]
-	var pull := _pull_x[index]
-	match wall:
-		LEFT_WALL:
-			height = _x[index] - radius - _left_x
-		RIGHT_WALL:
-			height = _right_x - radius - _x[index]
-		TOP_WALL:
-			height = _y[index] - radius - _top_y
-		BOTTOM_WALL:
-			height = _bottom_y - radius - _y[index]
-	if wall == TOP_WALL or wall == BOTTOM_WALL:
-		speed = _velocity_y[index]
-		pull = _pull_y[index]
-	if wall == RIGHT_WALL or wall == BOTTOM_WALL:
-		speed = -speed
-		pull = -pull
 	if wall == _support[index]:
 		return
+	_find_normal(index, wall)
+	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
+	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
+	var height := _gap_to_wall(index, wall)
 	if wall == _left_surface[index]:
 		height = 0.0
 		speed = _left_speed[index]
@@ -363,11 +366,23 @@ func _forecast_wall(index: int, wall: int) -> void:
 		_take(seconds, wall, TOUCH)
 
 
+func _gap_to_wall(index: int, wall: int) -> float:
+	match wall:
+		LEFT_WALL:
+			return _x[index] - _radius[index] - _left_x
+		RIGHT_WALL:
+			return _right_x - _radius[index] - _x[index]
+		TOP_WALL:
+			return _y[index] - _radius[index] - _top_y
+	return _bottom_y - _radius[index] - _y[index]
+
+
 # Tells the segments what the ball touches already: what it lies on, or the end of a segment that it
 # slides round or has slid off.
 func _tell_contact(index: int) -> void:
 	var is_held := _support[index] != NOTHING
 	var place := _support[index] if is_held else _left_surface[index]
+	_segments.contact_place = place
 	var feature := (_rolled_end[index] if is_held else _left_feature[index]) as Impact.Feature
 	if is_held and feature == Impact.Feature.LINE:
 		_find_normal(index, place)
@@ -388,11 +403,13 @@ func _forecast_return(index: int, place: int) -> void:
 	_find_normal(index, place)
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
-	if seconds < _seconds:
+	if seconds < _seconds and seconds <= _segments.seconds_left(place):
+		var speed_x := _velocity_x[index] - _segments.velocity_x(place)
+		var speed_y := _velocity_y[index] - _segments.velocity_y(place)
 		var share := _segments.share_of(
 			place,
-			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds,
-			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+			_x[index] + (speed_x + 0.5 * _pull_x[index] * seconds) * seconds,
+			_y[index] + (speed_y + 0.5 * _pull_y[index] * seconds) * seconds
 		)
 		if share >= 0.0 and share <= 1.0:
 			_touched_feature[index] = Impact.Feature.LINE
@@ -406,31 +423,29 @@ func _forecast_return_to_cap(index: int, place: int) -> void:
 	var feature := _left_feature[index] as Impact.Feature
 	var x := _x[index] - _segments.end_x(place, feature)
 	var y := _y[index] - _segments.end_y(place, feature)
-	var seconds := FreeFlight.time_back_to_circle(
-		x, y, _velocity_x[index], _velocity_y[index], _pull_x[index], _pull_y[index]
-	)
-	if seconds < _seconds:
+	var vx := _velocity_x[index] - _segments.velocity_x(place)
+	var vy := _velocity_y[index] - _segments.velocity_y(place)
+	var seconds := FreeFlight.time_back_to_circle(x, y, vx, vy, _pull_x[index], _pull_y[index])
+	if seconds < _seconds and seconds <= _segments.seconds_left(place):
 		_touched_feature[index] = feature
 		_take(seconds, place, TOUCH)
 
 
 # The caps of a segment, without its line.
 func _forecast_ends(index: int, place: int) -> void:
-	_accelerated.set_flight(
+	if _segments.first_end(
+		place,
 		_x[index],
 		_y[index],
 		_velocity_x[index],
 		_velocity_y[index],
 		_pull_x[index],
 		_pull_y[index],
-		_radius[index]
-	)
-	for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
-		var x := _segments.end_x(place, feature)
-		var y := _segments.end_y(place, feature)
-		if _accelerated.with_point(x, y, _seconds) and _accelerated.time < _seconds:
-			_touched_feature[index] = feature
-			_take(_accelerated.time, place, TOUCH)
+		_radius[index],
+		_seconds
+	):
+		_touched_feature[index] = _segments.feature
+		_take(_segments.time, place, TOUCH)
 
 
 # When a ball that slides on a segment comes to the end of its line.
@@ -439,7 +454,9 @@ func _forecast_slide(index: int, place: int) -> void:
 	var along_x := _segments.normal_y(place)
 	var along_y := -_segments.normal_x(place)
 	var from_start := _segments.share_of(place, _x[index], _y[index]) * length
-	var speed := _velocity_x[index] * along_x + _velocity_y[index] * along_y
+	var speed_x := _velocity_x[index] - _segments.velocity_x(place)
+	var speed_y := _velocity_y[index] - _segments.velocity_y(place)
+	var speed := speed_x * along_x + speed_y * along_y
 	var pull := _pull_x[index] * along_x + _pull_y[index] * along_y
 	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), speed, pull)
 	var to_end := FreeFlight.time_to_fall(maxf(length - from_start, 0.0), -speed, -pull)
@@ -448,6 +465,11 @@ func _forecast_slide(index: int, place: int) -> void:
 			Impact.Feature.START if to_start < to_end else Impact.Feature.END
 		)
 		_take(minf(to_start, to_end), place, SLIDE_OFF)
+
+
+# Whether a ball that touches this surface touches a straight line, and not a cap.
+func _is_line(index: int, surface: int) -> bool:
+	return surface < NOTHING or _touched_feature[index] == Impact.Feature.LINE
 
 
 # The unit normal of a cap, towards the ball.
@@ -459,18 +481,15 @@ func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	_normal_y = dy / distance if distance > 0.0 else 0.0
 
 
-# The nearest points of the walls and of all segments nearby.
-func _points_around(index: int) -> Array[Vec2]:
-	var x := position_x(index)
-	var y := position_y(index)
-	var points: Array[Vec2] = []
-	if _has_walls:
-		points = [Vec2.new(_left_x, y), Vec2.new(_right_x, y)]
-		points.append(Vec2.new(x, _top_y))
-		points.append(Vec2.new(x, _bottom_y))
-	for place in _segments.places_near(x, y, _radius[index]):
-		points.append(_segments.nearest_point(place, x, y))
-	return points
+# A ball is out of the world, and nothing happens to it any more.
+func _take_out(index: int) -> void:
+	_halt(index)
+	_is_there[index] = 0
+	_balls_there -= 1
+	if _uses_cells:
+		_cells.remove(index)
+		_cross_time[index] = INF
+	_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 
 
 func _lay_out_cells() -> void:
@@ -478,10 +497,4 @@ func _lay_out_cells() -> void:
 	_uses_cells = _balls_there >= _MANY_BALLS
 	_cross_time.fill(INF)
 	if _uses_cells:
-		var size := BallCells.size_for(positions(), _radius, _is_there)
-		# Removed balls count for nothing: the world is as one without them.
-		_cells.lay_out(size, _balls_there)
-		_cells.make_room(ball_count())
-		for index in ball_count():
-			if _is_there[index] == 1:
-				_cells.put(index, _x[index], _y[index])
+		_cells.put_all(positions(), _is_there)

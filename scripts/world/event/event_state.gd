@@ -25,13 +25,16 @@ enum {
 
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
 ## again, it slides to the end of the segment under it, a piece of its way over a cap is over, it
-## has lain in a pile for a while, or it does not slip any more on what supports it.
-enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP }
+## has lain in a pile for a while, it does not slip any more on what supports it, what supports it
+## begins to move otherwise, or it is crushed.
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP, SUPPORT_TURNS, CRUSH }
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
+## Stands for the surface of a ball that has been crushed.
+const CRUSHED := ON_BALLS - 1
 
-#region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
+# === What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
 
 ## Seconds since the start. Read it; [method EventWorld.advance] changes it.
 var time := 0.0
@@ -62,12 +65,10 @@ var events: Array[WorldEvent]:
 	set(value):
 		_log.events = value
 
-#endregion
-
 # The classes that extend this one use these fields.
 @warning_ignore_start("unused_private_class_variable")
 
-#region The time and the counts. EventWorld writes them.
+# === The time and the counts. EventWorld writes them.
 
 # The second part of [member time].
 var _time_low := 0.0
@@ -82,9 +83,7 @@ var _has_changed := false
 # The number of changes of segments, walls, gravity, bounciness and friction; a snapshot notes it.
 var _contents := 0
 
-#endregion
-
-#region What the balls fly among. EventWorld writes it.
+# === What the balls fly among. EventWorld writes it.
 
 var _segments: SegmentScan = SegmentGrid.new()
 # The walls, in pixels; they mean nothing without [member _has_walls].
@@ -100,14 +99,17 @@ var _gravity_y := 0.0
 var _bounciness := 1.0
 # The coefficient of friction µ, 0 or more.
 var _friction := 0.0
-# Whether there is neither gravity nor friction, so that the laws that are written out hold.
+# Whether there is neither gravity nor friction nor a surface that moves, so that the laws that are
+# written out hold.
 var _takes_short_ways := true
+# Whether hurried touches are counted: see BallPiles.WEDGE_TOUCHES.
+var _counts_touches := false
+# Whether a segment moves, or its surface does.
+var _moves := false
 # With this squared speed a ball rises by BallSupport.REST_HEIGHT, in (px/s)².
 var _least_squared_speed := 0.0
 
-#endregion
-
-#region The balls. EventWorld puts them in and takes them out.
+# === The balls. EventWorld puts them in and takes them out.
 
 # 1 where there is a ball: a removed one leaves its place empty.
 var _is_there: PackedByteArray = []
@@ -120,9 +122,7 @@ var _is_alone := false
 var _radius: PackedFloat64Array = []
 var _mass: PackedFloat64Array = []
 
-#endregion
-
-#region The present flight of each ball. EventWorld, BallSupport and BounceLaws write it.
+# === The present flight of each ball. EventWorld, BallSupport and BounceLaws write it.
 
 # When it began, in seconds. In the future only for a ball whose last, tiny bounces are being summed
 # up: see BallSupport._rest.
@@ -138,9 +138,7 @@ var _velocity_y: PackedFloat64Array = []
 var _pull_x: PackedFloat64Array = []
 var _pull_y: PackedFloat64Array = []
 
-#endregion
-
-#region What EventWorld.moment has found. EventWorld writes it.
+# === What EventWorld.moment has found. EventWorld writes it.
 
 # See [member places]. It is never assigned anew, because callers hold it.
 var _places: PackedFloat64Array = []
@@ -154,9 +152,7 @@ var _lone_y := 0.0
 var _lone_velocity_x := 0.0
 var _lone_velocity_y := 0.0
 
-#endregion
-
-#region What a ball lies on, and what it has just left. BallSupport and BounceLaws write it.
+# === What a ball lies on, and what it has just left. BallSupport and BounceLaws write it.
 
 # The surface on which a ball lies or slides, or NOTHING.
 var _support: PackedInt32Array = []
@@ -177,6 +173,8 @@ var _left_speed: PackedFloat64Array = []
 var _lasting_speed: PackedFloat64Array = []
 # When each ball last met another one, in seconds; -INF for never.
 var _last_meeting: PackedFloat64Array = []
+# The frame of reference of the surface that a ball touches.
+var _frame := SurfaceFrame.new(_velocity_x, _velocity_y, _lasting_speed)
 # The ways of the balls over caps.
 var _rolls := CapRolls.new()
 # Which balls lie in piles.
@@ -186,9 +184,7 @@ var _spins := BallSpins.new(
 	_radius, _mass, _velocity_x, _velocity_y, _pull_x, _pull_y, _start, _start_low
 )
 
-#endregion
-
-#region What comes next for each ball. EventForecast writes it.
+# === What comes next for each ball. EventForecast writes it.
 
 # The next touch of a surface, as if there were no other balls: when (seconds; INF for never), which
 # kind of event, which surface, and what of a segment (Impact.Feature).
@@ -207,21 +203,18 @@ var _cross_time: PackedFloat64Array = []
 # For each ball the earlier one of its event and its crossing; the earliest of all comes first.
 var _queue := EventQueue.new()
 # Which balls are near a ball. EventWorld lays the cells out.
-var _cells := CrowdCells.new(
-	_x, _y, _velocity_x, _velocity_y, _start, _start_low, _radius, _event_time, _cross_time
+var _cells := (
+	CrowdCells
+	. new(_x, _y, _velocity_x, _velocity_y, _start, _start_low, _radius, _event_time, _cross_time)
+	. with_pushes(_mass, _lasting_speed, _last_meeting, _left_surface)
 )
 # Whether there are enough balls for cells. EventWorld writes it.
 var _uses_cells := false
 
-#endregion
-
-#region What has happened. EventWorld and BounceLaws write it through the log.
-
+# What has happened. EventWorld and BounceLaws write it through the log.
 var _log := EventLog.new()
 
-#endregion
-
-#region Notes of one calculation. They mean nothing when it is over.
+# === Notes of one calculation. They mean nothing when it is over.
 
 # The unit normal of the surface that is looked at, towards the ball.
 var _normal_x := 0.0
@@ -232,7 +225,6 @@ var _pressure := 0.0
 var _seconds := INF
 var _surface := NOTHING
 var _kind: int = TOUCH
-var _accelerated := AcceleratedImpactFinder.new()
 var _pulled_meeting := PulledMeeting.new()
 # The ball that looks for a partner, as it is now (pixels, seconds), and what it has found.
 var _asker := 0
@@ -245,8 +237,6 @@ var _asker_pull_y := 0.0
 var _asker_radius := 0.0
 var _partner := NOTHING
 var _partner_seconds := INF
-
-#endregion
 
 @warning_ignore_restore("unused_private_class_variable")
 
@@ -344,7 +334,15 @@ func energy() -> float:
 ## Whether a ball lies or slides on a segment or a wall. After a change of the world this is false
 ## until time passes, be it 0 s.
 func is_resting(index: int) -> bool:
-	return not _has_changed and _support[index] != NOTHING and time >= _start[index]
+	if _has_changed or _support[index] == CRUSHED:
+		return false
+	return _support[index] != NOTHING and time >= _start[index]
+
+
+## Whether a ball has been crushed between two surfaces. It stays where this happened, and nothing
+## touches it any more.
+func is_crushed(index: int) -> bool:
+	return _support[index] == CRUSHED and _is_there[index] == 0
 
 
 ## Whether a ball rolls on a segment or a wall, or lies without turning, because friction holds it:
@@ -395,8 +393,8 @@ func _restart(index: int) -> void:
 	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
 	if _rolled_end[index] != Impact.Feature.LINE:
 		_find_velocity_on_cap(index)
-		_velocity_x[index] = _rolls.velocity_x
-		_velocity_y[index] = _rolls.velocity_y
+		_velocity_x[index] = _rolls.velocity_x - _frame.x
+		_velocity_y[index] = _rolls.velocity_y - _frame.y
 	else:
 		_velocity_x[index] += _pull_x[index] * seconds
 		_velocity_y[index] += _pull_y[index] * seconds
@@ -434,6 +432,25 @@ func _find_normal(index: int, surface: int) -> void:
 				_normal_y = -_normal_y
 
 
+# See EventWorld.moment.
+func _note_lone_flight() -> void:
+	_lone_until = _quiet_until
+	_lone_start = _start[0]
+	_lone_start_low = _start_low[0]
+	_lone_x = _x[0]
+	_lone_y = _y[0]
+	_lone_velocity_x = _velocity_x[0]
+	_lone_velocity_y = _velocity_y[0]
+	var seconds := (time - _lone_start) + (_time_low - _lone_start_low)
+	_places[0] = _lone_x + _lone_velocity_x * seconds
+	_places[1] = _lone_y + _lone_velocity_y * seconds
+
+
+# Whether a ball has met another one so recently that it loses no speed now: see BallPiles.PILE_UP.
+func _is_pile_up(index: int) -> bool:
+	return time - _last_meeting[index] < BallPiles.PILE_UP
+
+
 func _squared_speed(index: int) -> float:
 	var x := _velocity_x[index]
 	var y := _velocity_y[index]
@@ -463,38 +480,14 @@ func _all_arrays() -> Array:
 
 # The arrays with a number for each ball, beside _is_there and without those of the collaborators.
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return [
-		_radius,
-		_mass,
-		_start,
-		_start_low,
-		_x,
-		_y,
-		_velocity_x,
-		_velocity_y,
-		_pull_x,
-		_pull_y,
-		_piece,
-		_left_speed,
-		_lasting_speed,
-		_last_meeting,
-		_touch_time,
-		_touch_low,
-		_event_time,
-		_event_low,
-		_cross_time,
-	]
+	var flights: Array[PackedFloat64Array] = [_start, _start_low, _x, _y, _velocity_x, _velocity_y]
+	flights.append_array([_pull_x, _pull_y, _piece, _left_speed, _lasting_speed, _last_meeting])
+	flights.append_array([_radius, _mass, _touch_time, _touch_low, _event_time, _event_low])
+	flights.append(_cross_time)
+	return flights
 
 
 func _int_arrays() -> Array[PackedInt32Array]:
-	return [
-		_support,
-		_rolled_end,
-		_left_surface,
-		_left_feature,
-		_touch_kind,
-		_touched,
-		_touched_feature,
-		_event_kind,
-		_event_with,
-	]
+	var contacts: Array[PackedInt32Array] = [_support, _rolled_end, _left_surface, _left_feature]
+	contacts.append_array([_touch_kind, _touched, _touched_feature, _event_kind, _event_with])
+	return contacts

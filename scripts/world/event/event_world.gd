@@ -5,10 +5,9 @@ extends BounceLaws
 ## the frame, and is as exact for one long step as for many short ones.
 ##
 ## Segments work from both sides and have round ends, their caps; balls collide with each other; one
-## gravity, bounciness and friction holds for all. This file holds what a user of the world calls:
-## putting things in, changing and removing them while time goes on, letting time pass. After a
-## change the world is as one that is built now: all flights begin anew, what overlaps is pushed
-## out. Where a ball is now is answered by [EventState]; docs/event_world.md says where each law is.
+## gravity, bounciness and friction holds for all. After a change the world is as one that is built
+## now: all flights begin anew, what overlaps is pushed out. Where a ball is now is answered by
+## [EventState]; docs/event_world.md says where each law is.
 ##
 ## What cannot be taken is refused: each such method returns "" or one sentence with the value and
 ## what is allowed, and then nothing has changed.
@@ -95,6 +94,7 @@ func segment_count() -> int:
 
 ## The segment at that place.
 func segment(place: int) -> LineSegment:
+	_segments.go_to(time, _time_low)
 	return _segments.segment(place)
 
 
@@ -128,7 +128,7 @@ func move_segment(place: int, new_segment: LineSegment) -> String:
 	if not problem:
 		problem = new_segment.problem(LARGEST)
 	if not problem:
-		var sides := _sides_of_touching(place, new_segment)
+		var sides := Overlaps.sides_of_touching(_balls(), segment(place), new_segment)
 		_segments.put(place, new_segment)
 		_change_contents()
 		_push_out_of(place, sides)
@@ -142,6 +142,38 @@ func remove_segment(place: int) -> String:
 		_segments.remove(place)
 		_change_contents()
 	return problem
+
+
+## Lets the segment at that place move from now on; null ends its motion where it is now. A change
+## of the segment itself ends it, too.
+func set_segment_motion(place: int, motion: GivenMotion) -> String:
+	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
+	if not problem and motion:
+		problem = motion.problem(LARGEST)
+	if not problem:
+		_segments.put(place, segment(place))
+		if motion:
+			_segments = motion.begin(_segments, place, time, _time_low)
+		_change_contents()
+	return problem
+
+
+## Lets the surface of a segment run along it, as a belt does, with so many px/s from its start to
+## its end, on both sides; its round ends rest. 0 ends it.
+func set_belt_speed(place: int, speed: float) -> String:
+	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
+	if not problem:
+		problem = WorldLimits.problem_of_speed(speed)
+	if not problem:
+		_segments.belts[place] = speed
+		_change_contents()
+	return problem
+
+
+## The velocity of the surface of a segment at a point of it now, in px/s: its motion and its belt.
+func surface_velocity(place: int, point: Vec2) -> Vec2:
+	_segments.go_to(time, _time_low)
+	return _segments.velocity_at(place, point).plus(_segments.belt_velocity(place))
 
 
 ## Takes copies of these balls in place of the old ones. The time goes on. A ball that overlaps a
@@ -213,7 +245,11 @@ func advance_to(target: float) -> String:
 		time = target
 		_time_low = 0.0
 		return ""
-	return _advance_to_event(target)
+	if not (target >= time and target <= LARGEST):
+		return WorldLimits.problem_of_target(time, target)
+	if _has_changed:
+		_begin_anew()
+	return _advance_to(target, 0.0)
 
 
 ## When something happens next, in seconds; INF if nothing ever does. That may be an impact, or only
@@ -287,12 +323,16 @@ func restore(kept: WorldSnapshot) -> String:
 # After a change of balls: all is predicted anew before time passes.
 func _change() -> void:
 	_has_changed = true
+	_segments.go_to(time, _time_low)
 	_count_again()
 
 
 # After a change of segments, walls, gravity, bounciness or friction.
 func _change_contents() -> void:
 	_contents += 1
+	_segments.corners = []
+	if _has_walls:
+		_segments.corners = [Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y)]
 	_change()
 
 
@@ -329,50 +369,24 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_change()
 
 
-# Pushes every ball out of what it overlaps.
 func _push_out_all() -> void:
-	for index in ball_count():
-		if _is_there[index] == 1:
-			_push_out(index, {})
+	for index: int in _balls():
+		_push_out(index, {})
 
 
-# Pushes the balls out of the segment at that place. A ball with a side of the segment in `sides`
-# belongs there.
+# A ball with a side of the segment at that place in `sides` belongs there.
 func _push_out_of(place: int, sides: Dictionary[int, float] = {}) -> void:
-	for index in ball_count():
-		if _is_there[index] == 1:
-			var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
-			if gap < _radius[index] or sides.has(index):
-				var side: float = sides.get(index, 0.0)
-				_push_out(index, {place: side})
+	for index: int in _balls():
+		var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
+		if gap < _radius[index] or sides.has(index):
+			var side: float = sides.get(index, 0.0)
+			_push_out(index, {place: side})
 
 
-# For each ball that touches the line of the segment at that place: on which side of the new one,
-# which is to replace it, it belongs.
-func _sides_of_touching(place: int, new_segment: LineSegment) -> Dictionary[int, float]:
-	var sides: Dictionary[int, float] = {}
-	var old := _segments.segment(place)
-	for index in ball_count():
-		if _is_there[index] == 1:
-			var side := PushOut.side_touched(old, position(index), _radius[index] + REST_GAP)
-			if side != 0.0:
-				sides[index] = PushOut.side_after(side, old, new_segment)
-	return sides
-
-
-# Pushes a ball out of what it overlaps: see PushOut. `sides` says on which side of a segment the
-# ball belongs, where that is not the side of its centre.
+# Pushes a ball out of what it overlaps: see Overlaps.
 func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 	var from := position(index)
-	var push := PushOut.new(from, _radius[index], SegmentEnds.seam_at(from.x, from.y))
-	for place: int in sides:
-		push.add_line(_segments.segment(place), sides[place])
-	for place in _segments.places_within(from.x, from.y, 3.0 * _radius[index]):
-		if not sides.has(place):
-			push.add_line(_segments.segment(place))
-	if _has_walls:
-		push.add_walls(Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y))
-	var to := push.position()
+	var to := Overlaps.place_outside(from, _radius[index], _segments, sides)
 	if to.x != from.x or to.y != from.y:
 		_restart(index)
 		_set_free(index)
@@ -381,6 +395,15 @@ func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 		if to.distance_to(from) > _radius[index]:
 			# What was far away may be in the way now.
 			_push_out(index, {})
+
+
+# By their places.
+func _balls() -> Dictionary[int, Ball]:
+	var found: Dictionary[int, Ball] = {}
+	for index in ball_count():
+		if _is_there[index] == 1:
+			found[index] = ball(index)
+	return found
 
 
 # Apart from [method advance], because a function with fewer variables is called faster.
@@ -394,45 +417,23 @@ func _advance_through_events(seconds: float) -> String:
 	return _advance_to(target, step - (target - time))
 
 
-# Where an event comes first, or the flight of a lone ball is not noted. That flight is noted here,
-# and an event goes straight to _advance_to: with calls for both, a fast ball takes 1.13 times as
-# long.
+# Where an event comes first, or the flight of a lone ball is not noted. An event goes straight to
+# _advance_to, because each call more takes a twentieth of a bounce.
 func _go_to_moment(target: float) -> void:
 	var problem := ""
-	# Nothing happens until then: most frames of a few balls end here.
 	if target < _quiet_until and target >= time:
 		time = target
 		_time_low = 0.0
 	elif target >= time and target <= LARGEST and not _has_changed:
 		problem = _advance_to(target, 0.0)
 	else:
-		problem = _advance_to_event(target)
+		problem = advance_to(target)
 	if problem:
 		Refusal.push(problem)
-	if _x.size() != 1 or _pull_x[0] != 0.0 or _pull_y[0] != 0.0:
+	if _x.size() == 1 and _pull_x[0] == 0.0 and _pull_y[0] == 0.0:
+		_note_lone_flight()
+	else:
 		_write_places(_places)
-		return
-	_lone_until = _quiet_until
-	_lone_start = _start[0]
-	_lone_start_low = _start_low[0]
-	_lone_x = _x[0]
-	_lone_y = _y[0]
-	_lone_velocity_x = _velocity_x[0]
-	_lone_velocity_y = _velocity_y[0]
-	var seconds := (time - _lone_start) + (_time_low - _lone_start_low)
-	_places[0] = _lone_x + _lone_velocity_x * seconds
-	_places[1] = _lone_y + _lone_velocity_y * seconds
-
-
-func _advance_to_event(target: float) -> String:
-	if not (target >= time and target <= LARGEST):
-		return (
-			"The world stands at %s s and can advance to at most 1e15 s, not to %s."
-			% [time, target]
-		)
-	if _has_changed:
-		_begin_anew()
-	return _advance_to(target, 0.0)
 
 
 # Lets all events happen until this time. "" or a sentence, where there are too many impacts: then
@@ -447,6 +448,8 @@ func _advance_to(target: float, low: float) -> String:
 		time = queue.first_time
 		_time_low = queue.first_low
 		var index := queue.first
+		if _moves:
+			_segments.go_to(time, _time_low)
 		if _is_alone and not keeps_events and _event_kind[index] == TOUCH:
 			_bounce_between_walls(index, target, low)
 		else:
@@ -461,13 +464,12 @@ func _advance_to(target: float, low: float) -> String:
 	return ""
 
 
-# A new second begins where the old one is over; within one there are too many.
+# A new second begins where the old one is over; within one there are too many impacts.
 func _problem_of_count() -> String:
 	if time >= _count_from + 1.0:
 		_count_again()
 		return ""
-	var values := [most_impacts_per_second, time]
-	return "There are more than %d impacts within a second at %s s: the world stops there." % values
+	return WorldLimits.problem_of_count(most_impacts_per_second, time)
 
 
 func _count_again() -> void:

@@ -11,6 +11,10 @@ extends SegmentList
 ## a point round which it slides, or a point that it has just left.
 enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
+## What is around a ball that touches something: it can leave; hurried bounces between surfaces that
+## move would never end; it is crushed after [member crush_seconds].
+enum Squeeze { NONE, SHAKEN, CRUSHED }
+
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
 ## rounding may move it this far.
 const TOUCH := 1e-9
@@ -18,6 +22,8 @@ const TOUCH := 1e-9
 ## What rounding adds to that where coordinates are large, as a share of them.
 const ROUNDING := 8.0 / 2.0 ** 52
 
+# A ball touches a belt that is this near to it, in pixels.
+const _BELT_GAP := 1e-6
 # Two ends that are no farther than this from each other are at the same joint, as a share of the
 # radius of the ball that passes them.
 const _WIDEST_GAP := 1e-2
@@ -28,6 +34,14 @@ var time := INF
 var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
+## Seconds until a ball is crushed, and the velocity with which it has room until then, in px/s.
+var crush_seconds := INF
+## See [member crush_seconds].
+var crush_velocity: Vec2
+## The segment that the ball touches already, or -1: see [method lie_on_line].
+var contact_place := -1
+## How fast the surfaces of belts run, in px/s from start to end, by the places of their segments.
+var belts: Dictionary[int, float] = {}
 
 # The flight that is looked at: pixels, seconds.
 var _x := 0.0
@@ -87,6 +101,30 @@ func first_accelerated_impact(
 	return index >= 0
 
 
+## Whether a ball under the same acceleration meets one of the round ends of the segment at that
+## place, if this goes on to move as it does now.
+func first_end(
+	place: int,
+	x: float,
+	y: float,
+	velocity_x_now: float,
+	velocity_y_now: float,
+	pull_x: float,
+	pull_y: float,
+	radius: float,
+	horizon: float
+) -> bool:
+	var seen_x := velocity_x_now - velocity_x(place)
+	var seen_y := velocity_y_now - velocity_y(place)
+	_accelerated.set_flight(x, y, seen_x, seen_y, pull_x, pull_y, radius)
+	time = minf(horizon, seconds_left(place))
+	index = -1
+	for end: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+		if _accelerated.with_point(end_x(place, end), end_y(place, end), time):
+			_take(place, _accelerated.time, end)
+	return index >= 0
+
+
 ## Tells before [method first_accelerated_impact] that the ball lies on the line through (x, y) with
 ## the unit normal (up_x, up_y), towards the ball. Then it can meet nothing that does not rise above
 ## the line, such as the end of the next line at a joint.
@@ -111,6 +149,82 @@ func leave_point(x: float, y: float) -> void:
 	_contact = Contact.LEFT_POINT
 	_contact_x = x
 	_contact_y = y
+
+
+## Whether a segment moves, or its surface does. Here all segments rest; scripts/world/motion/ has
+## those that move, and the next methods are about these.
+func has_motion() -> bool:
+	return belts.values().any(func(speed: float) -> bool: return speed != 0.0)
+
+
+## Puts the segments where they are at this time of the world, the sum of two numbers.
+func go_to(_time: float, _low: float) -> void:
+	pass
+
+
+## Sees everything from the segment at that place; from where the world rests for -1.
+func see_from(_place: int) -> void:
+	pass
+
+
+## x of the velocity of the segment at that place, in px/s; 0 for one that turns.
+func velocity_x(_place: int) -> float:
+	return 0.0
+
+
+## y of the velocity.
+func velocity_y(_place: int) -> float:
+	return 0.0
+
+
+## The velocity of the point of the segment at that place that is here now, in px/s, without belt.
+func velocity_at(_place: int, _point: Vec2) -> Vec2:
+	return Vec2.zero()
+
+
+## How fast and in which direction the belt of the segment at that place runs, in px/s.
+func belt_velocity(place: int) -> Vec2:
+	if not belts.has(place):
+		return Vec2.zero()
+	return Vec2.new(normal_y(place), -normal_x(place)).scaled(belts[place])
+
+
+## How fast the segment at that place turns, in rad/s.
+func turn_of(_place: int) -> float:
+	return 0.0
+
+
+## For how many seconds the segment at that place goes on to move as it does now.
+func seconds_left(_place: int) -> float:
+	return INF
+
+
+## How strongly a segment that turns is pressed on a ball that touches it, in px/s²: what keeps the
+## ball from flying on straight, as seen from the segment. The unit normal points to the ball.
+func pressure_at(_place: int, _centre: Vec2, _velocity: Vec2, _normal: Vec2) -> float:
+	return 0.0
+
+
+## What is around a ball that touches something; [param is_hurried] after many touches one right
+## after the other.
+func squeeze_of(of_ball: Ball, is_hurried: bool) -> Squeeze:
+	var at := of_ball.position
+	if is_hurried and is_near_belt(at.x, at.y, of_ball.radius):
+		return Squeeze.SHAKEN
+	return Squeeze.NONE
+
+
+## Whether a ball at this point touches a belt.
+func is_near_belt(x: float, y: float, radius: float) -> bool:
+	for place: int in belts:
+		if belts[place] != 0.0 and distance_to_segment(place, x, y) <= radius + _BELT_GAP:
+			return true
+	return false
+
+
+## Whether a ball at this point touches a belt or what moves.
+func has_motion_near(x: float, y: float, radius: float) -> bool:
+	return is_near_belt(x, y, radius)
 
 
 # The ball touches nothing.
