@@ -209,10 +209,9 @@ func _put_ledger(contact: FrictionContact) -> void:
 
 func _put_flight(contact: FrictionContact, flight: ContactFlight) -> void:
 	var from := contact.after()[flight.compared_ball()].position
-	var size := from.length() + contact.speed_scale() * flight.compared_after
+	var way := contact.speed_scale() * flight.compared_after
+	var sizes := Vec2.new(absf(from.x) + way, absf(from.y) + way)
 	_formula.put_number("T", flight.compared_after, Palette.Role.INK)
 	_formula.put_number("Tn", flight.compared_after, Palette.Role.INK)
 	_formula.put_vector("c_pair", from, Palette.Role.INK)
-	_formula.put_vector_sum(
-		"P_pair", flight.place_by_formula(), Vec2.new(size, size), Palette.Role.INK
-	)
+	_formula.put_vector_sum("P_pair", flight.place_by_formula(), sizes, Palette.Role.INK)
