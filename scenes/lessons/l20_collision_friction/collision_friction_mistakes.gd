@@ -58,7 +58,7 @@ static func infos() -> Array[MistakeInfo]:
 			(
 				LabText
 				. translate(
-					"µ is no brake on the speed: it limits friction by the push, µ jn. And it turns the ball."
+					"µ is no brake on the speed: friction is at most µ times the push, and it turns the ball, too."
 				)
 			),
 			"mu_as_a_factor_leaves_225",
@@ -70,7 +70,7 @@ static func infos() -> Array[MistakeInfo]:
 			(
 				LabText
 				. translate(
-					"Friction turns the ball, too: two thirds of the slip go into the spin, one third brakes."
+					"Friction turns the ball, too: of the slip it takes one third by the flight, two by the spin."
 				)
 			),
 			"without_the_spin_100_are_left",

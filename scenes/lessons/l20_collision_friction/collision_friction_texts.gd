@@ -87,10 +87,10 @@ static func _on_ledger(contact: FrictionContact) -> String:
 static func _on_flight(model: CollisionFrictionModel) -> String:
 	if model.two_balls or model.gravity == 0.0:
 		return LabText.translate(
-			"Press Play: the event world flies it. ε × condition is what rounding alone may do."
+			"Press Play: the event world flies it. ε × condition is how far rounding may move it."
 		)
 	return LabText.translate(
-		"Press Play: it hops, and friction acts at each touch. There is one µ, moving or not."
+		"Press Play: it hops, and friction acts at each touch, always with the same µ."
 	)
 
 

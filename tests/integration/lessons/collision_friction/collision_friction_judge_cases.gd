@@ -153,8 +153,8 @@ const CASES: Array[Dictionary] = [
 		],
 		sentence =
 		[
-			"Press Play: it hops, and friction acts at each touch. There is one µ, moving or not.",
-			"Press Play: the event world flies it. ε × condition is what rounding alone may do.",
+			"Press Play: it hops, and friction acts at each touch, always with the same µ.",
+			"Press Play: the event world flies it. ε × condition is how far rounding may move it.",
 		],
 		rows =
 		[
