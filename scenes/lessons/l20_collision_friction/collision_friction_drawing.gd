@@ -15,7 +15,9 @@ const _SHORTEST_CONE := 4.0
 # A path is drawn through so many places.
 const _PIECES := 60
 # Below the contact there is room for so many radii: names and cards stand there.
-const _ROOM_BELOW := 2.5
+const _ROOM_BELOW := 1.5
+# The ledger takes so much of the height of all else.
+const _ROOM_FOR_LEDGER := 0.4
 
 @onready var _surface: Arrow = %Surface
 @onready var _line_handle: Handle = %LineHandle
@@ -127,6 +129,7 @@ func points_to_show(
 		_edge(contact, reach),
 		_tail(contact),
 		_rim_head(contact),
+		contact.tangent.scaled(contact.slip() * ARROW_SECONDS),
 		head_after(contact),
 		head_without_friction(contact),
 		flight.start.position,
@@ -134,7 +137,19 @@ func points_to_show(
 	var last := flight.end if step == CollisionFrictionModel.Step.FLY else end(flight, 0)
 	for index: int in contact.before().size():
 		points.append_array(flight.way(index, last, _PIECES))
+	if step >= CollisionFrictionModel.Step.LEDGER and not _ball.board.is_small():
+		points.append(_below_all(points))
 	return points
+
+
+# So far down that the ledger has room below everything else.
+static func _below_all(points: Array[Vec2]) -> Vec2:
+	var low := points[0].y
+	var high := points[0].y
+	for point in points:
+		low = minf(low, point.y)
+		high = maxf(high, point.y)
+	return Vec2.new(0.0, high + _ROOM_FOR_LEDGER * (high - low))
 
 
 # Where the velocity begins that ends in the ball at the contact.
@@ -265,12 +280,17 @@ func _show_verdict(
 func _taken_places(contact: FrictionContact, flight: ContactFlight) -> PackedVector2Array:
 	var board := _ball.board
 	var places: PackedVector2Array = []
+	var rim := Vec2.new(0.0, contact.ball.radius)
 	var points: Array[Vec2] = [
 		_tail(contact),
 		head_after(contact),
 		_rim_head(contact),
 		_edge(contact, _reach(contact)),
-		flight.start.position
+		_line_handle.at(),
+		_line_handle.at().negated(),
+		flight.start.position,
+		flight.start.position.minus(rim),
+		flight.start.position.plus(rim),
 	]
 	for point in points:
 		places.append(board.to_screen(point))

@@ -18,7 +18,7 @@ static func all() -> Dictionary[String, Dictionary]:
 		"Two balls":
 		_preset(
 			[250.0, 0.0],
-			{friction = 0.2, two_balls = true, along = PackedFloat64Array([60.0, -80.0])}
+			{friction = 0.2, two_balls = true, along = PackedFloat64Array([45.0, -60.0])}
 		),
 	}
 

@@ -47,7 +47,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> GripExercise:
 		var tenths := _TANGENTS[rng.randi_range(0, _TANGENTS.size() - 1)]
 		var speed := 50.0 * rng.randi_range(2, 8)
 		var usual: PackedFloat64Array = [0.1, 0.2, 0.3]
-		var tangent := Vec2.new(tenths.x, tenths.y).scaled(10.0)
+		var tangent := Vec2.new(tenths.x, tenths.y).scaled(7.5)
 		return new(kind, Vec2.new(speed, 0.0), 0.0, usual[rng.randi_range(0, 2)], tangent)
 	var along := 60.0 * rng.randi_range(1, 6)
 	var down := 100.0 * rng.randi_range(2, 5)
@@ -62,7 +62,7 @@ static func fresh(kind: Kind, rng: RandomNumberGenerator) -> GripExercise:
 ## The question with the numbers of the course.
 static func of_the_lecture(kind: Kind) -> GripExercise:
 	if kind == Kind.THROW:
-		return new(kind, Vec2.new(250.0, 0.0), 0.0, 0.2, Vec2.new(60.0, -80.0))
+		return new(kind, Vec2.new(250.0, 0.0), 0.0, 0.2, Vec2.new(45.0, -60.0))
 	var spin := -30.0 if kind == Kind.SLIP else 0.0
 	return new(kind, Vec2.new(300.0, 400.0), spin, 0.25, Vec2.new(100.0, 0.0))
 
