@@ -186,7 +186,7 @@ func _lay_surface(
 	var half := model.along.length()
 	if step == CollisionFrictionModel.Step.FLY and not contact.other:
 		for place in flight.way(0, flight.end, _PIECES):
-			half = maxf(half, absf(place.dot(contact.tangent)) + contact.ball.radius)
+			half = maxf(half, absf(place.dot(contact.tangent)))
 	var end_point := contact.tangent.scaled(half)
 	_surface.lay(end_point.negated(), end_point)
 	_surface.dashed = model.two_balls
@@ -212,7 +212,7 @@ func _lay_acting(contact: FrictionContact, step: int) -> void:
 	_lay_arrow(_slip, origin, contact.tangent.scaled(contact.slip()), has_slip)
 	var has_push := step >= CollisionFrictionModel.Step.PUSH and not is_flight
 	_lay_arrow(_push, origin, contact.normal.scaled(contact.push()), has_push)
-	var has_cone := step >= CollisionFrictionModel.Step.CONE and not is_flight
+	var has_cone := step >= CollisionFrictionModel.Step.CONE
 	var impulse := CollisionFrictionFormula.impulse_of(contact)
 	_lay_arrow(_impulse, origin, impulse, has_cone)
 	_slip.keep_label_from(contact.normal)

@@ -162,7 +162,7 @@ const CASES: Array[Dictionary] = [
 			[["P, flown", "(68.4, −75.5)", "0.1"]],
 			[["P, flown", "(68.4, −65.5)", "0"]],
 		],
-		labels = [["v", "v′"], ["u"], ["jn"], ["J"], ["µ = 0.1"]],
+		labels = [["v", "v′", "J", "µ = 0.1"], ["u"], ["jn"], ["µ = 0.2"]],
 	},
 	{
 		id = &"collision_friction",
