@@ -67,19 +67,6 @@ func show_moment(contact: FrictionContact, flight: ContactFlight, seconds: float
 	_ball.label = sentence % NumberText.short(seconds, 3) if seconds > 0.0 else ""
 
 
-## When the flight that is played at [param step] ends, in seconds: while it is asked what the
-## contact does, at the contact.
-static func end(flight: ContactFlight, step: int) -> float:
-	match step:
-		CollisionFrictionModel.Step.SLIP, CollisionFrictionModel.Step.PUSH:
-			return flight.contact_time
-		CollisionFrictionModel.Step.CONE:
-			return flight.contact_time
-		CollisionFrictionModel.Step.FLY:
-			return flight.end
-	return flight.contact_time + ContactFlight.LONGEST_SIDE
-
-
 ## The velocity for a handle at [param tail], in px/s.
 static func velocity_for(contact: FrictionContact, tail: Vec2) -> Vec2:
 	var wanted := contact.ball.position.minus(tail).divided(ARROW_SECONDS)
@@ -134,7 +121,8 @@ func points_to_show(
 		head_without_friction(contact),
 		flight.start.position,
 	]
-	var last := flight.end if step == CollisionFrictionModel.Step.FLY else end(flight, 0)
+	var is_flight := step == CollisionFrictionModel.Step.FLY
+	var last := ContactPlayer.end_of(flight, step if is_flight else 0)
 	for index: int in contact.before().size():
 		points.append_array(flight.way(index, last, _PIECES))
 	if step >= CollisionFrictionModel.Step.LEDGER and not _ball.board.is_small():
