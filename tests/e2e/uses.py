@@ -57,6 +57,8 @@ USES = {
     "aiming_game": Use((754, 621), r"shots: 0", r"shots: 1"),
     # The tip of v₁: one unit to the left.
     "newton_balls": Use((415, 279), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 279)),
+    # The tail of v: twenty pixels of the plane to the right.
+    "collision_friction": Use((254, 282), r"v = \(300, 400\)", r"v = \(200, 400\)", (308, 282)),
     # The end of the line.
     "slide_and_roll": Use((607, 503), r"B = \(48, 36\)", r"B = \(68, 36\)", (687, 503)),
     # The tip of a.

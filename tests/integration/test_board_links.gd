@@ -42,6 +42,12 @@ const _GOOD: Dictionary[String, Array] = {
 	],
 	"slide_and_roll":
 	["friction=0.125", "start=-200,0&end=200,0&speed=300&radius=15&mistake=103&has_engine=true"],
+	"collision_friction":
+	[
+		"spin=-30&friction=0.5",
+		"velocity=250,0&along=60,-80&two_balls=true&mistake=105",
+		"gravity=900&bounciness=0.8&radius=10&has_friction=false",
+	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -155,6 +161,14 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"gravity=0": "g must be within 0.001..1000000, not 0.",
 		"end=48,-40":
 		"The line must lead at least 1 px to the right and not climb: from (−48, −36) to (48, −40)",
+	},
+	"collision_friction":
+	{
+		"friction=-1": "µ must be within 0..10, not −1.",
+		"spin=2000": "ω must be within −1000..1000, not 2000.",
+		"bounciness=1.5": "C must be within 0..1, not 1.5.",
+		"along=0,0": "The surface must be at least 1 px long, not 0.",
+		"velocity=300,-400": "The ball must come to the surface with at least 1 px/s, not −400.",
 	},
 }
 

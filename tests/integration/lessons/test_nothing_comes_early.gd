@@ -127,6 +127,19 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Finish": 5,
 		_TABLE: 5,
 	},
+	&"collision_friction":
+	{
+		"Slip": 1,
+		"Push": 2,
+		"Cone": 3,
+		"ConeHandle": 3,
+		"Impulse": 3,
+		"Verdict": 3,
+		"After": 4,
+		_TABLE: 4,
+		"Ledger": 5,
+		"Path": 6,
+	},
 }
 
 
