@@ -24,6 +24,7 @@ const FOLDERS: PackedStringArray = [
 	"l17_timed_shot",
 	"l18_newton_balls",
 	"l19_slide_and_roll",
+	"l21_moving_platforms",
 ]
 
 ## What a lesson is, `%` its folder.

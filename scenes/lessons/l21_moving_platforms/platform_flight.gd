@@ -1,0 +1,140 @@
+class_name PlatformFlight
+extends RefCounted
+## The ball and the surface of a state of the lesson on surfaces that move, as they fly: where they
+## are at any moment, and how far that is from the place that the formulas give.
+
+# What is shown behind what the lesson is about, in seconds: after an impact, and of rolling.
+const _AFTER_IMPACT := 0.6
+const _ROLLING := 2.0
+# Without an impact, and of a disc that only rubs, so many seconds are shown.
+const _WITHOUT := 2.0
+# Where ball and formula are compared, as a share of the flight: before a disc leaves its belt, and
+# well before a ball is crushed.
+const _COMPARED := 0.95
+const _COMPARED_IN_PRESS := 0.7
+
+var _model: MovingPlatformsModel
+
+
+## Of [param model] as it is now.
+func _init(model: MovingPlatformsModel) -> void:
+	_model = model
+
+
+## Until when everything moves at [param step] of the explanation, in seconds: before the answer,
+## until it begins.
+func end(step: MovingPlatformsModel.Step) -> float:
+	return _last() if step >= MovingPlatformsModel.Step.BACK else _first_end()
+
+
+func _first_end() -> float:
+	match _model.kind:
+		MovingPlatformsModel.Kind.BELT:
+			var run := _model.run()
+			if run.run_case == CarriedRun.Case.ROLLS_LATER:
+				return run.roll_time
+			return _last()
+		MovingPlatformsModel.Kind.PLATFORM:
+			return _model.turn_time()
+	return _model.impact().time if _model.impact().hit else _WITHOUT
+
+
+func _last() -> float:
+	match _model.kind:
+		MovingPlatformsModel.Kind.BELT:
+			return _end_of_run()
+		MovingPlatformsModel.Kind.PLATFORM:
+			var first := _model.turn_time()
+			return first + minf(_end_of_run(), first)
+		MovingPlatformsModel.Kind.PRESS:
+			return _model.crush_time()
+	return _model.impact().time + _AFTER_IMPACT if _model.impact().hit else _WITHOUT
+
+
+func _end_of_run() -> float:
+	var run := _model.run()
+	return minf(run.leave_time, (run.roll_time if run.rolls() else 0.0) + _ROLLING)
+
+
+## Where the ball's centre is after so many seconds.
+func ball_at(seconds: float) -> Vec2:
+	return _model.place_at(seconds)
+
+
+## How far it has turned then, in radians, clockwise on screen.
+func turn_at(seconds: float) -> float:
+	match _model.kind:
+		MovingPlatformsModel.Kind.BELT:
+			return _model.run().turn_after(seconds)
+		MovingPlatformsModel.Kind.PLATFORM:
+			return _model.run().turn_after(maxf(seconds - _model.turn_time(), 0.0))
+	return 0.0
+
+
+## The wall, belt, platform or paddle after so many seconds.
+func surface_at(seconds: float) -> LineSegment:
+	var surface := _model.first_surface()
+	match _model.kind:
+		MovingPlatformsModel.Kind.WALL, MovingPlatformsModel.Kind.PADDLE:
+			return _model.moving().segment_at(seconds)
+		MovingPlatformsModel.Kind.PLATFORM:
+			_move(surface, Vec2.new(_model.platform_way(seconds), 0.0))
+		MovingPlatformsModel.Kind.PRESS:
+			_move(surface, Vec2.new(_model.surface_speed * seconds, 0.0))
+	return surface
+
+
+## Whether the ball is crushed then; its last state is kept.
+func is_crushed(seconds: float) -> bool:
+	if _model.kind != MovingPlatformsModel.Kind.PRESS:
+		return false
+	return Press.at(seconds, _model.way, _model.speed, _model.surface_speed).is_crushed
+
+
+## Where a point of the lab is that is there at this moment, in the frame of reference that the
+## model has: in that of the surface, it is moved back as the surface has moved.
+func seen(point: Vec2, seconds: float) -> Vec2:
+	if not _model.from_surface:
+		return point.copy()
+	match _model.kind:
+		MovingPlatformsModel.Kind.WALL:
+			return point.minus(_model.surface_velocity.scaled(seconds))
+		MovingPlatformsModel.Kind.BELT:
+			return point.minus(_model.along().scaled(_model.surface_speed * seconds))
+		MovingPlatformsModel.Kind.PLATFORM:
+			return point.minus(Vec2.new(_model.platform_way(seconds), 0.0))
+		MovingPlatformsModel.Kind.PRESS:
+			return point.minus(Vec2.new(_model.surface_speed * seconds, 0.0))
+	var turned := point.copy()
+	turned.rotate_around_radians(_model.surface_start, -_model.turn * seconds)
+	return turned
+
+
+## How a direction of the lab lies in that frame then.
+func seen_direction(direction: Vec2, seconds: float) -> Vec2:
+	var turned := direction.copy()
+	if _model.from_surface and _model.kind == MovingPlatformsModel.Kind.PADDLE:
+		turned.rotate_radians(-_model.turn * seconds)
+	return turned
+
+
+## How far the ball is from where the formulas have it, in pixels, at a moment near the end.
+func miss() -> float:
+	var moment := _compared_at()
+	return ball_at(moment).distance_to(_model.place_at(moment))
+
+
+## eps times the condition of that place, in pixels: so far rounding alone may move it.
+func rounding() -> float:
+	return PlatformRounding.of(_model, _compared_at())
+
+
+func _compared_at() -> float:
+	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+		return _COMPARED_IN_PRESS * _last()
+	return (_COMPARED if _model.is_carried() else 1.0) * _last()
+
+
+static func _move(segment: LineSegment, by: Vec2) -> void:
+	segment.start.add(by)
+	segment.end.add(by)
