@@ -24,21 +24,22 @@ var length := 0.0
 var direction: Vec2
 ## 1.0 where a ball that rolls from start to end turns clockwise on screen, else -1.0.
 var side := 1.0
+## How fast the surface moves from start to end, in px/s; 0 for a line at rest.
+var belt: float
 
 var _segment: LineSegment
 var _gravity: Vec2
 var _friction: float
-var _belt: float
 
 
 ## The line [param segment] under [param gravity], in px/s², with the friction µ. The surface moves
-## with [param belt] px/s from start to end; 0 is a line at rest. The ball lies on the side from
-## which gravity presses.
-func _init(segment: LineSegment, gravity: Vec2, friction: float, belt: float = 0.0) -> void:
+## with [param belt_speed] px/s from start to end; 0 is a line at rest. The ball lies on the side
+## from which gravity presses.
+func _init(segment: LineSegment, gravity: Vec2, friction: float, belt_speed: float = 0.0) -> void:
 	_segment = segment.copy()
 	_gravity = gravity.copy()
 	_friction = friction
-	_belt = belt
+	belt = belt_speed
 	length = segment.length()
 	var along := segment.along()
 	direction = along.normalized()
@@ -56,7 +57,7 @@ func problem() -> String:
 		_segment.problem(LARGEST),
 		FreeFlight.problem_of_gravity(_gravity, LARGEST),
 		Friction.problem_of(_friction),
-		_problem_of_number("The speed of a belt", _belt, "px/s"),
+		_problem_of_number("The speed of a belt", belt, "px/s"),
 	]:
 		if wrong:
 			return wrong
@@ -73,7 +74,7 @@ func can_hold() -> bool:
 ## How fast the lowest point of a ball rubs along the line, in px/s. [param speed] is that of the
 ## centre, from start to end.
 func slip(radius: float, speed: float, spin: float) -> float:
-	return speed - side * radius * spin - _belt
+	return speed - side * radius * spin - belt
 
 
 ## Where a ball is and how it moves when it comes to an end of the line, or after [param longest]

@@ -129,13 +129,14 @@ func halve(index: int) -> void:
 
 
 ## THE LAW OF FRICTION for a line or cap that pushes a ball away, as in [FrictionBounce]. The unit
-## normal points to the ball; [param push] is the impulse along it per mass, in px/s.
-func rub(index: int, normal_x: float, normal_y: float, push: float) -> void:
+## normal points to the ball; [param push] is the impulse along it per mass, in px/s. A belt runs to
+## the right of a normal that points up.
+func rub(index: int, normal_x: float, normal_y: float, push: float, belt: float) -> void:
 	var tangent_x := -normal_y
 	var tangent_y := normal_x
 	var spin := _spin_of_flight(index)
 	var along := _velocity_x[index] * tangent_x + _velocity_y[index] * tangent_y
-	var grip := Friction.impulse(along - _radius[index] * spin, push, _friction)
+	var grip := Friction.impulse(along - _radius[index] * spin - belt, push, _friction)
 	_velocity_x[index] += grip * tangent_x
 	_velocity_y[index] += grip * tangent_y
 	put(index, spin - grip / (Disc.INERTIA * _radius[index]))
@@ -162,6 +163,7 @@ func rub_balls(one: int, other: int, normal_x: float, normal_y: float, push: flo
 func go_along(index: int, surface: int) -> void:
 	var line := slopes.at(surface)
 	var speed := _velocity_x[index] * line.direction.x + _velocity_y[index] * line.direction.y
+	speed -= line.belt
 	var rolled := line.side * _radius[index] * _spin_of_flight(index)
 	_go_on(index, line, 0.0 if _is_rounding(speed - rolled, speed, rolled) else speed - rolled)
 	# On the level it comes to (2 speed + rolled) / 3.
@@ -172,8 +174,9 @@ func go_along(index: int, surface: int) -> void:
 ## The same for a ball whose slip is over.
 func go_on_without_slip(index: int, surface: int) -> void:
 	if _regime[index] == Regime.STOPS:
-		_velocity_x[index] = 0.0
-		_velocity_y[index] = 0.0
+		var belt := slopes.at(surface).belt
+		_velocity_x[index] = belt * slopes.at(surface).direction.x
+		_velocity_y[index] = belt * slopes.at(surface).direction.y
 		put(index, 0.0)
 	_go_on(index, slopes.at(surface), 0.0)
 

@@ -212,7 +212,7 @@ func _put_on(index: int, surface: int) -> void:
 # away with this impulse per mass, in px/s.
 func _rub(index: int, push: float) -> void:
 	if _friction > 0.0:
-		_spins.rub(index, _normal_x, _normal_y, push)
+		_spins.rub(index, _normal_x, _normal_y, push, _frame.belt)
 		_lasting_speed[index] = NAN
 
 
@@ -372,7 +372,7 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 		return
 	_support[index] = place
 	_rolled_end[index] = feature
-	_rolls.begin(index, slide, time, _time_low)
+	_rolls.begin(index, slide, time, _time_low, _frame.x, _frame.y)
 	for other in SegmentEnds.places_at(
 		_segments, _segments.places_near(_x[index], _y[index], _radius[index]), x, y
 	):
@@ -414,8 +414,8 @@ func _begin_piece(index: int, seconds: float) -> void:
 func _take_place_on_cap(index: int) -> void:
 	_x[index] = _rolls.x
 	_y[index] = _rolls.y
-	_velocity_x[index] = _rolls.velocity_x
-	_velocity_y[index] = _rolls.velocity_y
+	_velocity_x[index] = _rolls.velocity_x - _frame.x
+	_velocity_y[index] = _rolls.velocity_y - _frame.y
 
 
 # A piece is over: the next one begins, or the way over the cap has come to its end.
@@ -466,11 +466,40 @@ func _fly_off(index: int, place: int, feature: Impact.Feature) -> void:
 	_left_feature[index] = feature
 
 
+# From now on until _leave_frame a ball, whose flight begins now, is seen from the segment that it
+# touches: THE LAWS OF CONTACT hold in the frame of reference of the surface. Its normal must be
+# known where it turns.
+func _enter_frame(index: int, surface: int) -> void:
+	if _moves and surface >= 0:
+		_restart(index)
+		var x := _x[index] - _radius[index] * _normal_x
+		var y := _y[index] - _radius[index] * _normal_y
+		_frame.enter(index, _segments, surface, Vec2.new(x, y))
+
+
+func _leave_frame(index: int, surface: int) -> void:
+	if not _moves or surface < 0:
+		return
+	# Where its last bounces were summed up, its flight begins later.
+	var ahead := _start[index] - time
+	_x[index] += _frame.x * ahead
+	_y[index] += _frame.y * ahead
+	_frame.leave(index)
+	_go_on_from_here(index)
+
+
+# Begins a flight anew in its midst.
+func _go_on_from_here(index: int) -> void:
+	var seconds := time - _start[index]
+	_spins.slip_ends[index] -= seconds
+	_restart(index)
+
+
 # Call it before an event changes the ball; null where events are not kept.
 func _begin_event(index: int) -> WorldEvent:
 	if not keeps_events:
 		return null
-	var before := Vec2.new(_velocity_x[index], _velocity_y[index])
+	var before := Vec2.new(_velocity_x[index] + _frame.x, _velocity_y[index] + _frame.y)
 	return _log.begin(time, index, before, spin(index))
 
 
@@ -480,12 +509,8 @@ func _end_event(
 ) -> void:
 	if not event:
 		return
-	if kind != WorldEvent.Kind.BALL and other < NOTHING:
-		other -= LEFT_WALL
-		if kind == WorldEvent.Kind.SEGMENT:
-			kind = WorldEvent.Kind.WALL
 	var centre := Vec2.new(_x[index], _y[index])
-	var after := Vec2.new(_velocity_x[index], _velocity_y[index])
+	var after := Vec2.new(_velocity_x[index] + _frame.x, _velocity_y[index] + _frame.y)
 	var normal := Vec2.new(_normal_x, _normal_y)
 	var ball_after := Ball.new(centre, _radius[index], after, _mass[index], spin(index))
 	_log.finish(event, kind, other, normal, ball_after)

@@ -11,7 +11,8 @@ extends BallSupport
 
 # Gravity, bounciness, friction, walls or segments may have been changed.
 func _take_settings() -> void:
-	_takes_short_ways = _is_weightless() and _friction == 0.0
+	_moves = _segments.has_motion()
+	_takes_short_ways = _is_weightless() and _friction == 0.0 and not _moves
 	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	_least_squared_speed = 2.0 * strength * REST_HEIGHT
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
@@ -41,14 +42,20 @@ func _happen(index: int) -> void:
 		_forecast_event(index)
 	elif kind == SLIDE_OFF:
 		_counted_impacts -= 1
+		var surface := _support[index]
+		_enter_frame(index, surface)
 		_touched[index] = _slide_off(index)
+		_leave_frame(index, surface)
 		if _touched[index] != NOTHING:
 			_touched_feature[index] = Impact.Feature.LINE
 			_bounce(index)
 		_forecast(index)
 	elif kind == FOLLOW_CAP:
 		_counted_impacts -= 1
+		var surface := _support[index]
+		_enter_frame(index, surface)
 		_follow_cap(index)
+		_leave_frame(index, surface)
 		_forecast(index)
 	elif kind == TRY_AGAIN:
 		_counted_impacts -= 1
@@ -58,8 +65,18 @@ func _happen(index: int) -> void:
 		_forecast(index)
 	elif kind == END_SLIP:
 		_counted_impacts -= 1
+		var surface := _support[index]
+		_enter_frame(index, surface)
 		_end_slip(index)
+		_leave_frame(index, surface)
 		_forecast(index)
+	elif kind == SUPPORT_TURNS:
+		_counted_impacts -= 1
+		_go_on_from_here(index)
+		_leave_support(index)
+		_forecast(index)
+	elif kind == CRUSH:
+		_crush(index)
 
 
 # A ball touches a wall or a segment.
@@ -79,17 +96,21 @@ func _bounce(index: int) -> void:
 		if _touched_feature[index] == Impact.Feature.LINE:
 			_bounce_off_segment_fast(index, surface)
 			return
+	if _moves and not _really_touches(index, surface):
+		return
 	var event := _begin_event(index)
 	if _takes_short_ways and surface < NOTHING:
 		_bounce_off_wall(index, surface, event)
 		return
 	_find_contact(index, surface)
+	_enter_frame(index, surface)
 	var approach := -(_velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y)
 	var has_left_line := _left_feature[index] == Impact.Feature.LINE
 	if surface == _left_surface[index] and has_left_line and _is_line(index, surface):
 		# It comes back as fast as it left: no digit is lost from bounce to bounce.
 		approach = _left_speed[index]
 	_bounce_off(index, surface, maxf(approach, 0.0), event)
+	_leave_frame(index, surface)
 	if _piles.slow_speed > 0.0:
 		_piles.count_touch(index, time)
 		_calm(index)
@@ -455,6 +476,13 @@ func _leave_support(index: int) -> void:
 	if surface >= 0 and _rolled_end[index] == Impact.Feature.LINE:
 		_touched_feature[index] = _segments.nearest_feature(surface, _x[index], _y[index])
 	_find_contact(index, surface)
+	_enter_frame(index, surface)
+	_take_push(index, surface)
+	_leave_frame(index, surface)
+
+
+# A ball that lay on this surface, whose normal must be known, has got another velocity.
+func _take_push(index: int, surface: int) -> void:
 	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
 	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
 	var is_slow := _bounciness < 1.0 and -speed <= 0.5 * pressure * BallPiles.LEAST_HOP
@@ -471,6 +499,21 @@ func _leave_support(index: int) -> void:
 	if speed <= 0.0:
 		impacts += 1
 		_bounce_off(index, surface, -speed, _begin_event(index))
+
+
+# Where lines move: whether a ball that was foreseen to touch this surface does so. It may have to
+# look again only.
+func _really_touches(index: int, surface: int) -> bool:
+	if surface == NOTHING:
+		impacts -= 1
+		_left_surface[index] = NOTHING
+		return false
+	return true
+
+
+# A ball that is crushed is out of the world, and stays where it is.
+func _crush(_index: int) -> void:
+	pass
 
 
 # Whether a ball that touches this surface touches a straight line, and not a cap.

@@ -39,6 +39,9 @@ var _start: PackedFloat64Array = []
 var _start_low: PackedFloat64Array = []
 # Seconds from then until the ball comes onto the line; INF if its way ends before.
 var _line_time: PackedFloat64Array = []
+# The velocity of the cap, in px/s.
+var _drift_x: PackedFloat64Array = []
+var _drift_y: PackedFloat64Array = []
 
 
 ## Makes room for this many balls.
@@ -50,16 +53,20 @@ func resize(count: int) -> void:
 
 ## All arrays that change while balls move, to be kept and put back, beside [member slides].
 func arrays() -> Array[PackedFloat64Array]:
-	return [_start, _start_low, _line_time]
+	return [_start, _start_low, _line_time, _drift_x, _drift_y]
 
 
-## Begins the way [param slide] of a ball at this time of the world. Add the lines that end at the
-## same point by [method end_at_line].
-func begin(ball: int, slide: CapSlide, time: float, time_low: float) -> void:
+## Begins the way [param slide] of a ball at this time of the world, over a cap that moves with this
+## velocity, in px/s. Add the lines that end at the same point by [method end_at_line].
+func begin(
+	ball: int, slide: CapSlide, time: float, time_low: float, drift_x := 0.0, drift_y := 0.0
+) -> void:
 	slides[ball] = slide
 	_start[ball] = time
 	_start_low[ball] = time_low
 	_line_time[ball] = INF
+	_drift_x[ball] = drift_x
+	_drift_y[ball] = drift_y
 
 
 ## The way of a ball ends where it comes onto a line as well: one that begins at the point about
@@ -89,6 +96,31 @@ func leads_back(ball: int) -> bool:
 
 ## Moves a ball to where it is this many seconds after it began its way.
 func move_to(ball: int, seconds: float) -> void:
+	_slide_to(ball, seconds)
+	_drift(ball, seconds)
+
+
+## Begins the piece that starts this many seconds after the ball began its way; the strength of
+## gravity in px/s².
+func begin_piece(ball: int, seconds: float, gravity: float, radius: float) -> void:
+	_slide_to(ball, seconds)
+	if slides[ball].ending == CapSlide.Ending.NEVER and velocity_x == 0.0 and velocity_y == 0.0:
+		# It lies on the top for ever.
+		piece_seconds = INF
+		pull_x = 0.0
+		pull_y = 0.0
+		_drift(ball, seconds)
+		return
+	piece_seconds = minf(_longest_piece(gravity, radius), duration(ball) - seconds)
+	var slide := slides[ball]
+	slide.move_to(seconds + piece_seconds)
+	pull_x = 2.0 * ((slide.position_x - x) / piece_seconds - velocity_x) / piece_seconds
+	pull_y = 2.0 * ((slide.position_y - y) / piece_seconds - velocity_y) / piece_seconds
+	_drift(ball, seconds)
+
+
+# Where the ball is as seen from the cap.
+func _slide_to(ball: int, seconds: float) -> void:
 	var slide := slides[ball]
 	slide.move_to(seconds)
 	x = slide.position_x
@@ -97,21 +129,13 @@ func move_to(ball: int, seconds: float) -> void:
 	velocity_y = slide.velocity_y
 
 
-## Begins the piece that starts this many seconds after the ball began its way; the strength of
-## gravity in px/s².
-func begin_piece(ball: int, seconds: float, gravity: float, radius: float) -> void:
-	move_to(ball, seconds)
-	if slides[ball].ending == CapSlide.Ending.NEVER and velocity_x == 0.0 and velocity_y == 0.0:
-		# It lies on the top for ever.
-		piece_seconds = INF
-		pull_x = 0.0
-		pull_y = 0.0
-		return
-	piece_seconds = minf(_longest_piece(gravity, radius), duration(ball) - seconds)
-	var slide := slides[ball]
-	slide.move_to(seconds + piece_seconds)
-	pull_x = 2.0 * ((slide.position_x - x) / piece_seconds - velocity_x) / piece_seconds
-	pull_y = 2.0 * ((slide.position_y - y) / piece_seconds - velocity_y) / piece_seconds
+# The cap moves on, and the ball with it.
+func _drift(ball: int, seconds: float) -> void:
+	if _drift_x[ball] != 0.0 or _drift_y[ball] != 0.0:
+		x += _drift_x[ball] * seconds
+		y += _drift_y[ball] * seconds
+		velocity_x += _drift_x[ball]
+		velocity_y += _drift_y[ball]
 
 
 # A flight with the same start, velocity and end as the slide is off it by jerk t³ / 40 at most.

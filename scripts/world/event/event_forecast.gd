@@ -235,6 +235,9 @@ func _forecast_touch(index: int) -> void:
 		if _support[index] == ON_BALLS:
 			_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
 			return
+		if _support[index] == CRUSHED:
+			_note_touch(index, 0.0, CRUSHED, CRUSH)
+			return
 		if _spins.slip_ends[index] < INF:
 			_forecast_accelerated_touch(index)
 			return
@@ -301,6 +304,8 @@ func _forecast_accelerated_touch(index: int) -> void:
 			_forecast_slide(index, _support[index])
 		else:
 			_take(_piece[index], _support[index], FOLLOW_CAP)
+		if _moves and _segments.seconds_left(_support[index]) <= _seconds:
+			_take(_segments.seconds_left(_support[index]), _support[index], SUPPORT_TURNS)
 	if _has_walls:
 		for wall: int in [RIGHT_WALL, LEFT_WALL, BOTTOM_WALL, TOP_WALL]:
 			_forecast_wall(index, wall)
@@ -368,6 +373,7 @@ func _forecast_wall(index: int, wall: int) -> void:
 func _tell_contact(index: int) -> void:
 	var is_held := _support[index] != NOTHING
 	var place := _support[index] if is_held else _left_surface[index]
+	_segments.contact_place = place
 	var feature := (_rolled_end[index] if is_held else _left_feature[index]) as Impact.Feature
 	if is_held and feature == Impact.Feature.LINE:
 		_find_normal(index, place)
@@ -388,11 +394,13 @@ func _forecast_return(index: int, place: int) -> void:
 	_find_normal(index, place)
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
-	if seconds < _seconds:
+	if seconds < _seconds and seconds <= _segments.seconds_left(place):
+		var speed_x := _velocity_x[index] - _segments.velocity_x(place)
+		var speed_y := _velocity_y[index] - _segments.velocity_y(place)
 		var share := _segments.share_of(
 			place,
-			_x[index] + (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds,
-			_y[index] + (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
+			_x[index] + (speed_x + 0.5 * _pull_x[index] * seconds) * seconds,
+			_y[index] + (speed_y + 0.5 * _pull_y[index] * seconds) * seconds
 		)
 		if share >= 0.0 and share <= 1.0:
 			_touched_feature[index] = Impact.Feature.LINE
@@ -406,10 +414,12 @@ func _forecast_return_to_cap(index: int, place: int) -> void:
 	var feature := _left_feature[index] as Impact.Feature
 	var x := _x[index] - _segments.end_x(place, feature)
 	var y := _y[index] - _segments.end_y(place, feature)
+	var speed_x := _velocity_x[index] - _segments.velocity_x(place)
+	var speed_y := _velocity_y[index] - _segments.velocity_y(place)
 	var seconds := FreeFlight.time_back_to_circle(
-		x, y, _velocity_x[index], _velocity_y[index], _pull_x[index], _pull_y[index]
+		x, y, speed_x, speed_y, _pull_x[index], _pull_y[index]
 	)
-	if seconds < _seconds:
+	if seconds < _seconds and seconds <= _segments.seconds_left(place):
 		_touched_feature[index] = feature
 		_take(seconds, place, TOUCH)
 
@@ -419,16 +429,17 @@ func _forecast_ends(index: int, place: int) -> void:
 	_accelerated.set_flight(
 		_x[index],
 		_y[index],
-		_velocity_x[index],
-		_velocity_y[index],
+		_velocity_x[index] - _segments.velocity_x(place),
+		_velocity_y[index] - _segments.velocity_y(place),
 		_pull_x[index],
 		_pull_y[index],
 		_radius[index]
 	)
 	for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+		var horizon := minf(_seconds, _segments.seconds_left(place))
 		var x := _segments.end_x(place, feature)
 		var y := _segments.end_y(place, feature)
-		if _accelerated.with_point(x, y, _seconds) and _accelerated.time < _seconds:
+		if _accelerated.with_point(x, y, horizon) and _accelerated.time < horizon:
 			_touched_feature[index] = feature
 			_take(_accelerated.time, place, TOUCH)
 
@@ -439,7 +450,9 @@ func _forecast_slide(index: int, place: int) -> void:
 	var along_x := _segments.normal_y(place)
 	var along_y := -_segments.normal_x(place)
 	var from_start := _segments.share_of(place, _x[index], _y[index]) * length
-	var speed := _velocity_x[index] * along_x + _velocity_y[index] * along_y
+	var speed_x := _velocity_x[index] - _segments.velocity_x(place)
+	var speed_y := _velocity_y[index] - _segments.velocity_y(place)
+	var speed := speed_x * along_x + speed_y * along_y
 	var pull := _pull_x[index] * along_x + _pull_y[index] * along_y
 	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), speed, pull)
 	var to_end := FreeFlight.time_to_fall(maxf(length - from_start, 0.0), -speed, -pull)

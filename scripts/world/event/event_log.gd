@@ -3,6 +3,8 @@ extends RefCounted
 ## What has happened in an [EventWorld], in order. An event is begun before it changes the ball, and
 ## finished after it.
 
+const _NO_SURFACE := -1
+
 ## The events so far.
 var events: Array[WorldEvent] = []
 
@@ -19,13 +21,17 @@ func begin(time: float, ball: int, velocity: Vec2, spin: float) -> WorldEvent:
 	return event
 
 
-## Adds what it was, with which other thing (see [member WorldEvent.other]), at which unit normal,
-## and how the ball is after it.
+## Adds what it was, with which other thing (a surface or a ball of [EventState]), at which unit
+## normal, and how the ball is after it.
 func finish(
 	event: WorldEvent, kind: WorldEvent.Kind, other: int, normal: Vec2, ball_after: Ball
 ) -> void:
 	event.kind = kind
 	event.other = other
+	if kind != WorldEvent.Kind.BALL and other < _NO_SURFACE:
+		event.other = other - Slopes.LEFT_WALL
+		if kind == WorldEvent.Kind.SEGMENT:
+			event.kind = WorldEvent.Kind.WALL
 	event.normal = normal
 	event.point = ball_after.position.minus(normal.scaled(ball_after.radius))
 	event.velocity_after = ball_after.velocity

@@ -23,10 +23,16 @@ enum {
 	BOTTOM_WALL = Slopes.BOTTOM_WALL
 }
 
+## Stands for the surface of a ball that has been crushed.
+const CRUSHED := ON_BALLS - 1
+
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
 ## again, it slides to the end of the segment under it, a piece of its way over a cap is over, it
-## has lain in a pile for a while, or it does not slip any more on what supports it.
-enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP }
+## has lain in a pile for a while, it does not slip any more on what supports it, what supports it
+## begins to move otherwise, or it is crushed.
+enum {
+	TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP, SUPPORT_TURNS, CRUSH
+}
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
@@ -100,8 +106,11 @@ var _gravity_y := 0.0
 var _bounciness := 1.0
 # The coefficient of friction µ, 0 or more.
 var _friction := 0.0
-# Whether there is neither gravity nor friction, so that the laws that are written out hold.
+# Whether there is neither gravity nor friction nor a surface that moves, so that the laws that are
+# written out hold.
 var _takes_short_ways := true
+# Whether a segment moves, or its surface does.
+var _moves := false
 # With this squared speed a ball rises by BallSupport.REST_HEIGHT, in (px/s)².
 var _least_squared_speed := 0.0
 
@@ -177,6 +186,8 @@ var _left_speed: PackedFloat64Array = []
 var _lasting_speed: PackedFloat64Array = []
 # When each ball last met another one, in seconds; -INF for never.
 var _last_meeting: PackedFloat64Array = []
+# The frame of reference of the surface that a ball touches.
+var _frame := SurfaceFrame.new(_velocity_x, _velocity_y, _lasting_speed)
 # The ways of the balls over caps.
 var _rolls := CapRolls.new()
 # Which balls lie in piles.
@@ -347,6 +358,12 @@ func is_resting(index: int) -> bool:
 	return not _has_changed and _support[index] != NOTHING and time >= _start[index]
 
 
+## Whether a ball has been crushed between two surfaces. It stays where this happened, and nothing
+## touches it any more.
+func is_crushed(index: int) -> bool:
+	return _support[index] == CRUSHED
+
+
 ## Whether a ball rolls on a segment or a wall, or lies without turning, because friction holds it:
 ## nothing slips. Without friction nothing rolls.
 func is_rolling(index: int) -> bool:
@@ -395,8 +412,8 @@ func _restart(index: int) -> void:
 	_y[index] += (_velocity_y[index] + 0.5 * _pull_y[index] * seconds) * seconds
 	if _rolled_end[index] != Impact.Feature.LINE:
 		_find_velocity_on_cap(index)
-		_velocity_x[index] = _rolls.velocity_x
-		_velocity_y[index] = _rolls.velocity_y
+		_velocity_x[index] = _rolls.velocity_x - _frame.x
+		_velocity_y[index] = _rolls.velocity_y - _frame.y
 	else:
 		_velocity_x[index] += _pull_x[index] * seconds
 		_velocity_y[index] += _pull_y[index] * seconds
@@ -463,38 +480,14 @@ func _all_arrays() -> Array:
 
 # The arrays with a number for each ball, beside _is_there and without those of the collaborators.
 func _float_arrays() -> Array[PackedFloat64Array]:
-	return [
-		_radius,
-		_mass,
-		_start,
-		_start_low,
-		_x,
-		_y,
-		_velocity_x,
-		_velocity_y,
-		_pull_x,
-		_pull_y,
-		_piece,
-		_left_speed,
-		_lasting_speed,
-		_last_meeting,
-		_touch_time,
-		_touch_low,
-		_event_time,
-		_event_low,
-		_cross_time,
-	]
+	var flights: Array[PackedFloat64Array] = [_start, _start_low, _x, _y, _velocity_x, _velocity_y]
+	flights.append_array([_pull_x, _pull_y, _piece, _left_speed, _lasting_speed, _last_meeting])
+	flights.append_array([_radius, _mass, _touch_time, _touch_low, _event_time, _event_low])
+	flights.append(_cross_time)
+	return flights
 
 
 func _int_arrays() -> Array[PackedInt32Array]:
-	return [
-		_support,
-		_rolled_end,
-		_left_surface,
-		_left_feature,
-		_touch_kind,
-		_touched,
-		_touched_feature,
-		_event_kind,
-		_event_with,
-	]
+	var contacts: Array[PackedInt32Array] = [_support, _rolled_end, _left_surface, _left_feature]
+	contacts.append_array([_touch_kind, _touched, _touched_feature, _event_kind, _event_with])
+	return contacts

@@ -95,6 +95,7 @@ func segment_count() -> int:
 
 ## The segment at that place.
 func segment(place: int) -> LineSegment:
+	_segments.go_to(time, _time_low)
 	return _segments.segment(place)
 
 
@@ -128,6 +129,7 @@ func move_segment(place: int, new_segment: LineSegment) -> String:
 	if not problem:
 		problem = new_segment.problem(LARGEST)
 	if not problem:
+		_segments.go_to(time, _time_low)
 		var sides := _sides_of_touching(place, new_segment)
 		_segments.put(place, new_segment)
 		_change_contents()
@@ -142,6 +144,41 @@ func remove_segment(place: int) -> String:
 		_segments.remove(place)
 		_change_contents()
 	return problem
+
+
+## Lets the segment at that place move from now on; null ends its motion where it is now. A change
+## of the segment itself ends it, too.
+func set_segment_motion(place: int, motion: GivenMotion) -> String:
+	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
+	if not problem and motion:
+		problem = motion.problem(LARGEST)
+	if not problem:
+		_segments.put(place, segment(place))
+		if motion:
+			_segments = motion.begin(_segments, place, time, _time_low)
+		_change_contents()
+	return problem
+
+
+## Lets the surface of a segment run along it, as a belt does, with so many px/s from its start to its
+## end, on both sides; its round ends rest. 0 ends it.
+func set_belt_speed(place: int, speed: float) -> String:
+	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
+	if not problem:
+		problem = WorldLimits.problem_of_speed(speed)
+	if not problem:
+		_segments.belts[place] = speed
+		if speed == 0.0:
+			_segments.belts.erase(place)
+		_change_contents()
+	return problem
+
+
+## The velocity of the surface of a segment at a point of it now, in px/s: its motion and its belt.
+func surface_velocity(place: int, point: Vec2) -> Vec2:
+	var along := segment(place).along().normalized()
+	var belt: float = _segments.belts.get(place, 0.0)
+	return _segments.velocity_at(place, point).plus(along.scaled(belt))
 
 
 ## Takes copies of these balls in place of the old ones. The time goes on. A ball that overlaps a
@@ -287,6 +324,7 @@ func restore(kept: WorldSnapshot) -> String:
 # After a change of balls: all is predicted anew before time passes.
 func _change() -> void:
 	_has_changed = true
+	_segments.go_to(time, _time_low)
 	_count_again()
 
 
@@ -447,6 +485,8 @@ func _advance_to(target: float, low: float) -> String:
 		time = queue.first_time
 		_time_low = queue.first_low
 		var index := queue.first
+		if _moves:
+			_segments.go_to(time, _time_low)
 		if _is_alone and not keeps_events and _event_kind[index] == TOUCH:
 			_bounce_between_walls(index, target, low)
 		else:

@@ -32,7 +32,8 @@ func set_up(segments: SegmentScan, low: Vec2, high: Vec2, gravity: Vec2, frictio
 func at(surface: int) -> Incline:
 	var found: Incline = _inclines.get(surface)
 	if not found:
-		found = Incline.new(_line_of(surface), _gravity, _friction)
+		var belt: float = _segments.belts.get(surface, 0.0)
+		found = Incline.new(_line_of(surface), _gravity, _friction, belt)
 		_inclines[surface] = found
 	return found
 

@@ -4,8 +4,9 @@ extends RefCounted
 
 ## What a ball met, or did: it touched a segment, a wall or another ball, came to rest on what it
 ## bounced on, slid off the end of it, or does not slip on it any more: then it rolls, stands still,
-## or begins to slip the other way.
-enum Kind { SEGMENT, WALL, BALL, REST, LEAVE, SLIP_ENDS }
+## or begins to slip the other way; or it was crushed between two surfaces, of which one moves, and
+## is as it was just before.
+enum Kind { SEGMENT, WALL, BALL, REST, LEAVE, SLIP_ENDS, CRUSHED }
 
 ## When, in seconds of the world.
 var time := 0.0

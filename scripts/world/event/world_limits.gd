@@ -23,6 +23,14 @@ static func problem_of_walls(low: Vec2, high: Vec2) -> String:
 	)
 
 
+## The speed of a belt, in px/s.
+static func problem_of_speed(speed: float) -> String:
+	if absf(speed) <= LARGEST:
+		return ""
+	var limit := String.num_scientific(LARGEST)
+	return "A belt must run with -%s..%s px/s, not with %s." % [limit, limit, speed]
+
+
 ## A place where there must be something, named by [param what].
 static func problem_of_place(place: int, is_taken: bool, what: String) -> String:
 	return "" if is_taken else "There is no %s at the place %d." % [what, place]

@@ -28,6 +28,10 @@ var time := INF
 var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
+## The segment that the ball touches already, or -1: see [method lie_on_line].
+var contact_place := -1
+## How fast the surfaces of belts run, in px/s from start to end, by the places of their segments.
+var belts: Dictionary[int, float] = {}
 
 # The flight that is looked at: pixels, seconds.
 var _x := 0.0
@@ -111,6 +115,47 @@ func leave_point(x: float, y: float) -> void:
 	_contact = Contact.LEFT_POINT
 	_contact_x = x
 	_contact_y = y
+
+
+## Whether a segment moves, or its surface does. Here all segments rest; scripts/world/motion/ has
+## those that move, and the next methods are about these.
+func has_motion() -> bool:
+	return not belts.is_empty()
+
+
+## Puts the segments where they are at this time of the world, the sum of two numbers.
+func go_to(_time: float, _low: float) -> void:
+	pass
+
+
+## Sees everything from the segment at that place; from where the world rests for -1.
+func see_from(_place: int) -> void:
+	pass
+
+
+## x of the velocity of the segment at that place, in px/s; 0 for one that turns.
+func velocity_x(_place: int) -> float:
+	return 0.0
+
+
+## y of the velocity.
+func velocity_y(_place: int) -> float:
+	return 0.0
+
+
+## The velocity of the point of the segment at that place that is here now, in px/s, without belt.
+func velocity_at(_place: int, _point: Vec2) -> Vec2:
+	return Vec2.zero()
+
+
+## How fast the segment at that place turns, in rad/s.
+func turn_of(_place: int) -> float:
+	return 0.0
+
+
+## For how many seconds the segment at that place goes on to move as it does now.
+func seconds_left(_place: int) -> float:
+	return INF
 
 
 # The ball touches nothing.

@@ -1,0 +1,283 @@
+class_name MovingSegments
+extends SegmentGrid
+## Segments of which some move, each by its [SegmentMotion]. The others are in the grid, as ever;
+## those that move are tried one by one, and are where they are at the time of the last
+## [method go_to].
+##
+## Seen from a segment with a constant velocity a ball flies as ever, with the difference of both
+## velocities. So each piece of a motion is tried for itself, with the flight as it is when the piece
+## begins.
+
+# After so many pieces of a motion the search ends, and the ball has to look again.
+const _MOST_PIECES := 64
+
+var _movers: Dictionary[int, SegmentMover] = {}
+var _now := 0.0
+var _now_low := 0.0
+# The velocity of the frame from which the segments are seen, in px/s.
+var _frame_x := 0.0
+var _frame_y := 0.0
+# Seconds until a search that was given up has to go on; INF where none was.
+var _look_again := INF
+
+
+## Takes all segments of another list, which stays as it is.
+func take_from(others: SegmentScan) -> void:
+	for place in others.size():
+		put(place, others.segment(place))
+		if not others.has_segment(place):
+			remove(place)
+	belts = others.belts
+
+
+## Lets the segment at that place move.
+func move(place: int, mover: SegmentMover) -> void:
+	_movers[place] = mover
+	# It is not in the grid.
+	_is_there[place] = 0
+	_is_stale = true
+
+
+## See [method SegmentList.put]. A motion of the old segment is over.
+func put(place: int, new_segment: LineSegment) -> void:
+	super.put(place, new_segment)
+	_movers.erase(place)
+
+
+## See [method SegmentList.remove].
+func remove(place: int) -> void:
+	super.remove(place)
+	_movers.erase(place)
+	_is_stale = true
+
+
+## See [method SegmentList.has_segment].
+func has_segment(place: int) -> bool:
+	return super.has_segment(place) or _movers.has(place)
+
+
+## See [method SegmentScan.has_motion].
+func has_motion() -> bool:
+	return super.has_motion() or not _movers.is_empty()
+
+
+## See [method SegmentScan.go_to].
+func go_to(time: float, low: float) -> void:
+	_now = time
+	_now_low = low
+	for place: int in _movers:
+		var mover := _movers[place]
+		mover.go_to(time, low)
+		_lay(place, mover.segment_now())
+
+
+## See [method SegmentScan.see_from].
+func see_from(place: int) -> void:
+	_frame_x = velocity_x(place)
+	_frame_y = velocity_y(place)
+
+
+## See [method SegmentScan.velocity_x].
+func velocity_x(place: int) -> float:
+	return _movers[place].velocity.x if _movers.has(place) else 0.0
+
+
+## See [method SegmentScan.velocity_y].
+func velocity_y(place: int) -> float:
+	return _movers[place].velocity.y if _movers.has(place) else 0.0
+
+
+## See [method SegmentScan.velocity_at].
+func velocity_at(place: int, point: Vec2) -> Vec2:
+	return _movers[place].velocity_at(point) if _movers.has(place) else Vec2.zero()
+
+
+## See [method SegmentScan.turn_of].
+func turn_of(place: int) -> float:
+	return _movers[place].motion.turn if _movers.has(place) else 0.0
+
+
+## See [method SegmentScan.seconds_left].
+func seconds_left(place: int) -> float:
+	return _movers[place].seconds_left() if _movers.has(place) else INF
+
+
+## The unit normal of a segment that only moves along is that which it was given: its ends are
+## rounded anew each time.
+func normal_x(place: int) -> float:
+	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+		var given := _movers[place].given
+		return (given.start.y - given.end.y) / _length[place]
+	return super.normal_x(place)
+
+
+## See [method normal_x].
+func normal_y(place: int) -> float:
+	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+		var given := _movers[place].given
+		return (given.end.x - given.start.x) / _length[place]
+	return super.normal_y(place)
+
+
+## See [method SegmentList.places_within].
+func places_within(x: float, y: float, reach: float) -> PackedInt32Array:
+	var places := super.places_within(x, y, reach)
+	for place: int in _movers:
+		if distance_to_segment(place, x, y) <= reach:
+			places.append(place)
+	places.sort()
+	return places
+
+
+## The places of the segments that a ball at this point might touch and that rest in the frame from
+## which they are seen, in their order.
+func places_near(x: float, y: float, ball_radius: float) -> PackedInt32Array:
+	var places: PackedInt32Array = []
+	if _frame_x == 0.0 and _frame_y == 0.0:
+		places = super.places_near(x, y, ball_radius)
+	for place: int in _movers:
+		if _rests_in(place, _frame_x, _frame_y):
+			places.append(place)
+	places.sort()
+	return places
+
+
+## See [method SegmentScan.first_impact].
+func first_impact(
+	x: float,
+	y: float,
+	velocity_x_now: float,
+	velocity_y_now: float,
+	radius: float,
+	horizon: float,
+	skipped: int = -1
+) -> bool:
+	super.first_impact(x, y, velocity_x_now, velocity_y_now, radius, horizon, skipped)
+	_look_again = INF
+	for place: int in _movers:
+		_try_pieces(place, false)
+	return _ends_search()
+
+
+## See [method SegmentScan.first_accelerated_impact].
+func first_accelerated_impact(
+	x: float,
+	y: float,
+	velocity_x_now: float,
+	velocity_y_now: float,
+	pull_x: float,
+	pull_y: float,
+	radius: float,
+	horizon: float,
+	skipped: int = -1
+) -> bool:
+	var contact := _contact
+	var frame_x := velocity_x(contact_place)
+	var frame_y := velocity_y(contact_place)
+	# What a ball touches says nothing of segments that move otherwise.
+	if frame_x != 0.0 or frame_y != 0.0:
+		_contact = Contact.NONE
+	super.first_accelerated_impact(
+		x, y, velocity_x_now, velocity_y_now, pull_x, pull_y, radius, horizon, skipped
+	)
+	_look_again = INF
+	for place: int in _movers:
+		_contact = contact if _rests_in(place, frame_x, frame_y) else Contact.NONE
+		_try_pieces(place, true)
+		_end_contact()
+	return _ends_search()
+
+
+# Whether something is found: an impact, or that the search has to go on at a later time.
+func _ends_search() -> bool:
+	if _look_again < time:
+		time = _look_again
+		index = -1
+		return true
+	return index >= 0
+
+
+# Tries one piece of the motion after the other, until the flight is over or there are too many.
+func _try_pieces(place: int, is_pulled: bool) -> void:
+	var mover := _movers[place]
+	var flight: PackedFloat64Array = [_x, _y, _velocity_x, _velocity_y]
+	var skipped := _skipped
+	var piece := mover.piece
+	var begin := 0.0
+	while begin < time:
+		if piece == mover.piece + _MOST_PIECES:
+			_look_again = minf(_look_again, begin)
+			break
+		if piece > mover.piece:
+			_lay(place, mover.segment_after(mover.motion.way_of(piece)))
+			_skipped = -1
+			_end_contact()
+		var end := maxf(mover.motion.piece_end(piece) - mover.seconds, begin)
+		_begin_flight(flight, begin, mover.motion.velocity_of(piece), is_pulled)
+		if _is_met(place, begin, end, is_pulled):
+			break
+		begin = end
+		piece += 1
+	_lay(place, mover.segment_now())
+	_skipped = skipped
+	_x = flight[0]
+	_y = flight[1]
+	_velocity_x = flight[2]
+	_velocity_y = flight[3]
+
+
+# The flight as it is after so many seconds, seen from what moves with this velocity.
+func _begin_flight(
+	flight: PackedFloat64Array, seconds: float, frame: Vec2, is_pulled: bool
+) -> void:
+	var pull_x := _pull_x if is_pulled else 0.0
+	var pull_y := _pull_y if is_pulled else 0.0
+	_x = flight[0] + (flight[2] + 0.5 * pull_x * seconds) * seconds
+	_y = flight[1] + (flight[3] + 0.5 * pull_y * seconds) * seconds
+	_velocity_x = flight[2] + pull_x * seconds - frame.x
+	_velocity_y = flight[3] + pull_y * seconds - frame.y
+	var squared_speed := _velocity_x * _velocity_x + _velocity_y * _velocity_y
+	_reach_squared = 1.000001 * _radius * _radius * squared_speed
+	if is_pulled:
+		_ask_accelerated(pull_x, pull_y)
+
+
+# Whether the ball meets the segment, which lies where it is after `begin` seconds of the flight,
+# until `end` and before everything else.
+func _is_met(place: int, begin: float, end: float, is_pulled: bool) -> bool:
+	var best := time
+	var best_index := index
+	var best_feature := feature
+	time = minf(best, end) - begin
+	index = -1
+	_is_there[place] = 1
+	if is_pulled:
+		_try_accelerated(place)
+	else:
+		_try(place)
+	_is_there[place] = 0
+	var is_met := index == place
+	var seconds := begin + time
+	var met_feature := feature
+	time = best
+	index = best_index
+	feature = best_feature
+	if is_met:
+		_take(place, seconds, met_feature)
+	return is_met
+
+
+# Whether the segment at that place moves with this velocity now, and does not turn.
+func _rests_in(place: int, frame_x: float, frame_y: float) -> bool:
+	var mover := _movers[place]
+	if mover.motion.turn != 0.0:
+		return false
+	return mover.velocity.x == frame_x and mover.velocity.y == frame_y
+
+
+# Puts the ends of a segment that moves where they are.
+func _lay(place: int, at: LineSegment) -> void:
+	_start_x[place] = at.start.x
+	_start_y[place] = at.start.y
+	_end_x[place] = at.end.x
+	_end_y[place] = at.end.y

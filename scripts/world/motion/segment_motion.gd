@@ -1,0 +1,146 @@
+class_name SegmentMotion
+extends GivenMotion
+## How a segment of an [EventWorld] moves, by its time alone: with a constant velocity, along a path
+## with turning points, or about a pivot. The time 0 is when the segment is given this motion.
+##
+## A motion consists of pieces. In each the segment moves with a constant velocity or turns with a
+## constant speed; a piece ends where the next one begins, and the last one never ends.
+
+# A time that is short of another one by a smaller share of it is that one.
+const _ROUNDING := 1.0 / 2.0 ** 50
+
+## The place of the pivot, in pixels; means nothing without a [member turn].
+var pivot := Vec2.zero()
+## How fast the segment turns, in radians per second, clockwise on screen; 0 where it does not.
+var turn := 0.0
+
+# For each piece: when it begins (seconds), how far the segment is then from where it was at the
+# time 0 (pixels), and its velocity (px/s).
+var _begins: PackedFloat64Array = [0.0]
+var _ways: Array[Vec2] = [Vec2.zero()]
+var _velocities: Array[Vec2] = [Vec2.zero()]
+# How long a path that is repeated takes, in seconds; INF for all others.
+var _period := INF
+# What is wrong with the arguments.
+var _problem := ""
+
+
+## A constant velocity, in pixels per second.
+static func steady(velocity: Vec2) -> SegmentMotion:
+	var made := SegmentMotion.new()
+	made._velocities = [velocity.copy()]
+	return made
+
+
+## A path: at each of these times, in seconds, the segment is so far from where it was at the time
+## 0, in pixels, and in between it moves straight. The first time is 0, and the first way is (0, 0).
+## At the end the segment stays; with [param repeats] the path begins again, and has to end at (0,
+## 0).
+static func along(
+	times: PackedFloat64Array, ways: Array[Vec2], repeats: bool = false
+) -> SegmentMotion:
+	var made := SegmentMotion.new()
+	made._problem = _problem_of_path(times, ways, repeats)
+	if made._problem:
+		return made
+	made._begins = times.duplicate()
+	made._ways.clear()
+	made._velocities.clear()
+	for place in ways.size():
+		made._ways.append(ways[place].copy())
+		if place + 1 < ways.size():
+			var seconds := times[place + 1] - times[place]
+			made._velocities.append(ways[place + 1].minus(ways[place]).divided(seconds))
+		else:
+			made._velocities.append(Vec2.zero())
+	if repeats:
+		made._period = times[-1]
+	return made
+
+
+## Turns about a point that rests, in pixels, by so many radians per second, clockwise on screen;
+## with 0 it rests.
+static func turning(about: Vec2, speed: float) -> SegmentMotion:
+	var made := SegmentMotion.new()
+	made.pivot = about.copy()
+	made.turn = speed
+	return made
+
+
+## See [method GivenMotion.problem].
+func problem(largest: float) -> String:
+	if _problem:
+		return _problem
+	var limit := String.num_scientific(largest)
+	for number: Vec2 in _ways + _velocities + [pivot]:
+		if not number.is_within(largest):
+			var values := [limit, limit, number]
+			return "Ways, velocities and pivots must be within -%s..%s, not %s." % values
+	if not absf(turn) <= largest:
+		return "A segment must turn by -%s..%s rad/s, not by %s." % [limit, limit, turn]
+	return ""
+
+
+## See [method GivenMotion.begin].
+func begin(segments: SegmentScan, place: int, time: float, low: float) -> SegmentScan:
+	var moving := segments as MovingSegments
+	if not moving:
+		moving = MovingSegments.new()
+		moving.take_from(segments)
+	moving.move(place, SegmentMover.new(segments.segment(place), self, time, low))
+	return moving
+
+
+## Which piece lasts at this time; at its end it is the next one.
+func piece_at(seconds: float) -> int:
+	# The end of a piece was reached by adding times, which are rounded.
+	var late := seconds + _ROUNDING * absf(seconds)
+	var rounds := floori(late / _period)
+	var within := late - rounds * _period if rounds > 0 else late
+	var piece := 0
+	while piece + 1 < _count() and _begins[piece + 1] <= within:
+		piece += 1
+	return rounds * _count() + piece
+
+
+## When a piece begins, in seconds.
+func piece_begin(piece: int) -> float:
+	var rounds := floori(piece / float(_count()))
+	return _begins[piece - rounds * _count()] + (rounds * _period if rounds > 0 else 0.0)
+
+
+## When a piece ends, in seconds; INF for the last one.
+func piece_end(piece: int) -> float:
+	if _period == INF and piece + 1 >= _count():
+		return INF
+	return piece_begin(piece + 1)
+
+
+## How far the segment is from where it was at the time 0 when this piece begins, in pixels.
+func way_of(piece: int) -> Vec2:
+	return _ways[piece % _count()]
+
+
+## The velocity of the segment in this piece, in pixels per second; of one that turns, of its pivot.
+func velocity_of(piece: int) -> Vec2:
+	return _velocities[piece % _count()]
+
+
+# A path that is repeated has no piece that begins at its end.
+func _count() -> int:
+	return _begins.size() - (1 if _period < INF else 0)
+
+
+static func _problem_of_path(times: PackedFloat64Array, ways: Array[Vec2], repeats: bool) -> String:
+	if times.size() != ways.size() or times.size() < 2:
+		var sizes := [times.size(), ways.size()]
+		return "A path needs two times or more and a way for each, not %d and %d." % sizes
+	if times[0] != 0.0 or ways[0].length() != 0.0:
+		return "A path begins at 0 s with the way (0, 0), not at %s s with %s." % [times[0], ways[0]]
+	for place in range(1, times.size()):
+		if not (times[place] > times[place - 1] and times[place] < INF):
+			var values := [times[place - 1], times[place]]
+			return "The times of a path must rise, not go from %s s to %s s." % values
+	if repeats and ways[-1].length() != 0.0:
+		return "A path that is repeated ends with the way (0, 0), not with %s." % ways[-1]
+	return ""
