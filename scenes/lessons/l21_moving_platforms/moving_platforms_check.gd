@@ -15,7 +15,7 @@ const SMALLEST := 1.0
 
 # How sentences on what is wrong call a number.
 const _SYMBOLS: Dictionary[String, String] = {
-	"bounciness": "C", "friction": "µ", "turn": "ω", "speed": "v", "surface_speed": "V", "way": "h"
+	"bounciness": "C", "friction": "µ", "turning": "ω", "speed": "v", "surface_speed": "V", "way": "h"
 }
 
 
@@ -34,7 +34,7 @@ static func problem_in(stored: Dictionary) -> String:
 	var limits: Dictionary[String, PackedFloat64Array] = {
 		"bounciness": [0.0, 1.0],
 		"friction": [0.0, MOST_FRICTION],
-		"turn": [-FASTEST_TURN, FASTEST_TURN],
+		"turning": [-FASTEST_TURN, FASTEST_TURN],
 		"speed": [-LARGEST, LARGEST],
 		"surface_speed": [-LARGEST, LARGEST],
 		"way": [SMALLEST, LARGEST],

@@ -23,7 +23,7 @@ static func lines(
 	match step:
 		MovingPlatformsModel.Step.FRAME:
 			if is_paddle:
-				return ["var w := Vec2.new(-arm.y, arm.x).scaled(turn)", _SEEN]
+				return ["var w := Vec2.new(-arm.y, arm.x).scaled(turning)", _SEEN]
 			return [_SEEN]
 		MovingPlatformsModel.Step.LAW:
 			return [_BOUNCED]
@@ -89,7 +89,7 @@ static func inputs(model: MovingPlatformsModel) -> Dictionary[String, Variant]:
 		"velocity": met.coming,
 		"w": met.touched,
 		"arm": met.arm,
-		"turn": model.turn,
+		"turning": model.turning,
 		"n": met.normal,
 		"seen": met.seen,
 		"bounced": met.bounced,

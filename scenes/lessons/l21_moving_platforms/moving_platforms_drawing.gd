@@ -8,7 +8,7 @@ const _PIECES := 120
 # Arrows along one line are drawn side by side, so far apart, in pixels of the screen.
 const _APART := 11.0
 # The arrow of friction is so long, in pixels.
-const _FRICTION := 46.0
+const _FRICTION := 80.0
 # The normal is so long, in pixels of the screen.
 const _NORMAL := 60.0
 # In the diagram of the press a second is so high, in pixels, and so far below the walls.
@@ -76,7 +76,7 @@ func show_moment(
 	_ball.lay(flight.seen(place, seconds), MovingPlatformsModel.RADIUS)
 	_ball.turn = flight.turn_at(seconds)
 	if model.from_surface and model.kind == MovingPlatformsModel.Kind.PADDLE:
-		_ball.turn -= model.turn * seconds
+		_ball.turn -= model.turning * seconds
 	_ball.role = Palette.Role.WRONG if flight.is_crushed(seconds) else Palette.Role.A
 	_ball.label = LabText.translate("t = %s s") % NumberText.short(seconds, 3) if seconds else ""
 	_dot.visible = _zigzag.visible
@@ -102,6 +102,8 @@ func points_to_show(model: MovingPlatformsModel, handles: MovingPlatformsHandles
 			others.append(_in_press(model, 0.0, _diagram_end(model)))
 		MovingPlatformsModel.Kind.PLATFORM:
 			others.append(surface.end.plus(Vec2.new(model.way, 0.0)))
+			var slip := Vec2.new(model.run().slip * seconds, 0.0)
+			others.append(model.place_at(model.turn_time()).plus(slip))
 			others.append(Vec2.new(0.0, -3.0 * MovingPlatformsModel.RADIUS))
 		_:
 			if model.is_impact() and model.impact().hit:
@@ -149,11 +151,11 @@ func _lay_start(
 	var tail := handles.velocity_tail()
 	_velocity.lay(tail, tail.plus(model.first_velocity().scaled(seconds)))
 	_velocity.visible = model.kind != MovingPlatformsModel.Kind.PLATFORM
-	_velocity.label = "u₀" if model.kind == MovingPlatformsModel.Kind.PRESS else "v"
+	_velocity.label = _names(model)[0]
 	# Later the same arrow is drawn at the impact, and others beside it.
-	if model.is_impact() and step > MovingPlatformsModel.Step.WATCH:
+	if not model.is_carried() and step > MovingPlatformsModel.Step.WATCH:
 		_velocity.label = ""
-	_velocity.keep_label_from(tail.plus(model.up()))
+	_velocity.keep_label_from(tail.minus(model.up()))
 	var foot := handles.surface_tail()
 	var moved := handles.first_surface_velocity().scaled(seconds)
 	_surface_velocity.lay(foot, foot.plus(moved))
@@ -180,6 +182,9 @@ func _lay_impact(
 ) -> void:
 	var met := model.impact()
 	var is_shown := met != null and met.hit and step >= MovingPlatformsModel.Step.FRAME
+	# Then the press shows all of its bounces.
+	if model.kind == MovingPlatformsModel.Kind.PRESS and step >= MovingPlatformsModel.Step.BACK:
+		is_shown = false
 	for part: Node2D in [_coming, _subtracted, _seen, _normal, _bounced, _added, _leaving]:
 		part.visible = false
 	_wrong.visible = false
@@ -187,12 +192,19 @@ func _lay_impact(
 	_ball_then.visible = is_shown
 	if not is_shown:
 		return
+	_coming.label = _names(model)[0]
+	_subtracted.label = _names(model)[1]
 	_lay_surface(_surface_then, flight, flight.surface_at(met.time), met.time)
 	var center := flight.seen(met.center, met.time)
 	_ball_then.lay(center, MovingPlatformsModel.RADIUS)
 	_lay_arm(model, flight, step)
 	_lay_before(model, flight, center, step)
 	_lay_after(model, flight, center, step)
+
+
+# Of the velocities of ball and surface.
+static func _names(model: MovingPlatformsModel) -> PackedStringArray:
+	return ["u₀", "V"] if model.kind == MovingPlatformsModel.Kind.PRESS else ["v", "w"]
 
 
 func _lay_arm(
@@ -231,6 +243,7 @@ func _lay_before(
 	_coming.lay(upper.minus(coming), upper)
 	_subtracted.lay(upper.minus(coming), upper.minus(seen))
 	_seen.lay(lower.minus(seen), lower)
+	_seen.label = "U"
 	_coming.keep_label_from(center.minus(seen))
 	_seen.keep_label_from(center.minus(coming).plus(_beside(met, 4.0)))
 	_coming.visible = step in [MovingPlatformsModel.Step.FRAME, MovingPlatformsModel.Step.FLY]
@@ -286,6 +299,7 @@ func _lay_carried(
 	var along := model.along()
 	_seen.lay(foot, foot.plus(along.scaled(run.slip * model.arrow_seconds())))
 	_seen.keep_label_from(center)
+	_seen.label = "u"
 	_seen.visible = step == MovingPlatformsModel.Step.FRAME
 	var pull := -signf(run.slip) * _FRICTION / _friction.board.pixels_per_unit
 	_friction.lay(foot, foot.plus(along.scaled(pull)))

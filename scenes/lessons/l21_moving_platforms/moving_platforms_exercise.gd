@@ -171,7 +171,7 @@ func _ask_paddle(speed: float, turn: float, arm: float, length: float) -> void:
 		"ball": [MovingPlatformsModel.RADIUS + speed * time, _PIVOT_Y - arm],
 		"velocity": [-speed, 0.0],
 		"surface": [0.0, _PIVOT_Y, tip.x, _PIVOT_Y + tip.y],
-		"turn": turn,
+		"turning": turn,
 		"bounciness": 1.0,
 	}
 	var question := tr(

@@ -5,10 +5,10 @@ extends RefCounted
 const _BALL := "P = ( {px} , {py} )   {v} = ( {vx} , {vy} )"
 const _ENDS := "A = ( {ax} , {ay} )   B = ( {bx} , {by} )"
 const _WALL := "{w} = ( {wx} , {wy} )   C = {bounciness}"
-const _PADDLE := "ω = {turn}   C = {bounciness}"
+const _PADDLE := "ω = {turning}   C = {bounciness}"
 # Without the places, from where they no longer matter.
 const _VELOCITIES := "{v} = ( {vx} , {vy} )   {w} = ( {wx} , {wy} )"
-const _VELOCITY := "{v} = ( {vx} , {vy} )   ω = {turn}"
+const _VELOCITY := "{v} = ( {vx} , {vy} )   ω = {turning}"
 const _BELT := "{v} = {speed}   {s} = {surface_speed}   µ = {friction}"
 const _PLATFORM := "{V} = {surface_speed}   h = {way}   µ = {friction}"
 const _PRESS := "h₀ = {way}   {u0} = {speed}   {V} = {surface_speed}"
@@ -111,9 +111,12 @@ static func _lines_on_belt(
 				"G = {pull}   N = {pressure}",
 				"{f} = µ N = {mu}·{pressure} = {grip}",
 			]
-		MovingPlatformsModel.Step.BACK, MovingPlatformsModel.Step.FLY:
+		MovingPlatformsModel.Step.BACK:
 			if run.run_case == CarriedRun.Case.ROLLS_LATER:
 				found = _lines_on_rolling(run)
+		MovingPlatformsModel.Step.FLY:
+			if run.rolls():
+				found = ["{va} = {va_value}"]
 	if model.mistake_shows() and step >= MovingPlatformsModel.Step.BACK:
 		found.append("{wrong}: {wrong_speed}")
 	return found
@@ -146,7 +149,9 @@ static func _lines_on_platform(
 			found = ["{u} = {V} − (−{V}) = {s_value} + {s_value} = {u_value}"]
 		MovingPlatformsModel.Step.LAW:
 			found = ["N = {pressure}", "{f} = µ N = {mu}·{pressure} = {grip}"]
-		MovingPlatformsModel.Step.BACK, MovingPlatformsModel.Step.FLY:
+		MovingPlatformsModel.Step.FLY when model.run().rolls():
+			found = ["{va} = {va_value}"]
+		MovingPlatformsModel.Step.BACK:
 			if model.run().rolls():
 				found = [
 					"{f} = {grip}   {u} = {u_value}",
@@ -210,7 +215,7 @@ func _put_what_is_typed(model: MovingPlatformsModel) -> void:
 	_formula.put_number("by", model.surface_end.y, ink, tr("y of the end"))
 	_formula.put_number("wx", model.surface_velocity.x, Palette.Role.B, tr("x of w"))
 	_formula.put_number("wy", model.surface_velocity.y, Palette.Role.B, tr("y of w"))
-	_formula.put_number("turn", model.turn, Palette.Role.B, tr("turn ω, in radians a second"))
+	_formula.put_number("turning", model.turning, Palette.Role.B, tr("turn ω, in radians a second"))
 	_formula.put_number("bounciness", model.bounciness, ink, tr("bounciness C"))
 	_formula.put_number("speed", model.speed, Palette.Role.A, tr("speed at the start"))
 	_formula.put_number(
@@ -227,10 +232,10 @@ func _put_impact(model: MovingPlatformsModel) -> void:
 	var twice := size + met.seen.length()
 	_formula.put_vector("v_pair", met.coming, Palette.Role.A)
 	_put_sum("arm", met.arm, model.moving().reach() + met.center.length(), Palette.Role.INK)
-	var reach := absf(model.turn) * (model.moving().reach() + met.center.length())
+	var reach := absf(model.turning) * (model.moving().reach() + met.center.length())
 	_put_sum("w_pair", met.touched, met.touched.length() + reach, Palette.Role.B)
 	_put_sum("U_pair", met.seen, size, rest)
-	_put_sum("n_pair", met.normal, 1.0, Palette.Role.INK)
+	_put_sum("n_pair", met.normal, 1.0 + met.center.length() / MovingPlatformsModel.RADIUS, Palette.Role.INK)
 	_formula.put_sum("U_n", met.seen.dot(met.normal), size, rest)
 	_put_sum("Ub_pair", met.bounced, twice, rest)
 	_put_sum("va_pair", met.leaving, twice + met.touched.length(), Palette.Role.PROJECTION)

@@ -8,6 +8,8 @@ const _STEP := 10.0
 const _TURN_STEP := 0.1
 # The arrow of a belt, platform or press lies so far beside the surface, in pixels.
 const _BESIDE := 34.0
+# That of a disc on a belt lies so far above its centre.
+const _ABOVE := 36.0
 
 var _model: MovingPlatformsModel
 var _ball: Handle
@@ -63,9 +65,13 @@ func place() -> void:
 	_far.visible = kind == MovingPlatformsModel.Kind.PRESS
 
 
-## Where the arrow of the ball's velocity begins.
+## Where the arrow of the ball's velocity begins: on a belt above the disc, which can be dragged,
+## too.
 func velocity_tail() -> Vec2:
-	return _model.place_at(0.0)
+	var center := _model.place_at(0.0)
+	if _model.kind != MovingPlatformsModel.Kind.BELT:
+		return center
+	return center.plus(_model.up().scaled(_ABOVE))
 
 
 ## Where the arrow of the surface's velocity begins: at the tip of a paddle, at the middle of a
@@ -132,7 +138,7 @@ func _drag_surface_velocity(head: Vec2) -> String:
 			var arm := _model.surface_end.minus(_model.surface_start)
 			var across := Vec2.new(-arm.y, arm.x)
 			var turn := arrow.dot(across) / arm.length_squared() / _model.arrow_seconds()
-			return _model.take({"turn": snappedf(turn, _TURN_STEP)})
+			return _model.take({"turning": snappedf(turn, _TURN_STEP)})
 	return _model.take({"surface_speed": _to_speed(arrow)})
 
 

@@ -35,7 +35,7 @@ var surface_end := Vec2.new(-120.0, 120.0)
 ## w: the velocity of the wall, in px/s.
 var surface_velocity := Vec2.new(100.0, 0.0)
 ## ω: how fast the paddle turns, in radians per second, clockwise on screen.
-var turn := 2.0
+var turning := 2.0
 ## C: the bounciness, 0..1.
 var bounciness := 1.0
 ## The speed at the start along a belt, or away from the moving wall of the press, in px/s.
@@ -70,6 +70,8 @@ func is_carried() -> bool:
 
 ## The arrows of velocities show so many seconds of them.
 func arrow_seconds() -> float:
+	if kind == Kind.PRESS:
+		return 0.25
 	return 1.0 if is_carried() else 0.5
 
 
@@ -129,7 +131,7 @@ func distance() -> float:
 ## The wall or paddle as it moves.
 func moving() -> TurningSegment:
 	if kind == Kind.PADDLE:
-		return TurningSegment.new(first_surface(), surface_start, turn)
+		return TurningSegment.new(first_surface(), surface_start, turning)
 	return TurningSegment.new(first_surface(), surface_start, 0.0, surface_velocity)
 
 
@@ -292,7 +294,7 @@ func to_dictionary() -> Dictionary:
 		"velocity": PackedFloat64Array([velocity.x, velocity.y]),
 		"surface": PackedFloat64Array(ends),
 		"surface_velocity": PackedFloat64Array([surface_velocity.x, surface_velocity.y]),
-		"turn": turn,
+		"turning": turning,
 		"bounciness": bounciness,
 		"speed": speed,
 		"surface_speed": surface_speed,
@@ -315,7 +317,7 @@ func from_dictionary(stored: Dictionary) -> void:
 	surface_start.set_xy(ends[0], ends[1])
 	surface_end.set_xy(ends[2], ends[3])
 	_put(surface_velocity, stored["surface_velocity"])
-	turn = stored["turn"]
+	turning = stored["turning"]
 	bounciness = stored["bounciness"]
 	speed = stored["speed"]
 	surface_speed = stored["surface_speed"]

@@ -32,7 +32,7 @@ const _PADDLE: Dictionary[String, Variant] = {
 	ball = [20.0 + 200.0 * _PADDLE_TIME, -100.0 * _PADDLE_TIME],
 	velocity = [-200, 100],
 	surface = [0, 100, -120, 190],
-	turn = _PADDLE_TURN,
+	turning = _PADDLE_TURN,
 	bounciness = 1.0
 }
 const _PRESS: Dictionary[String, Variant] = {

@@ -74,9 +74,10 @@ func _show(title: String, value: String, error: String) -> void:
 
 static func _call(model: MovingPlatformsModel) -> Callable:
 	if model.is_carried():
-		return model.incline().run.bind(
-			MovingPlatformsModel.RADIUS, model.distance(), model.speed, 0.0, 1.0
-		)
+		var incline := model.incline()
+		var distance := model.distance()
+		return func() -> InclineRun:
+			return incline.run(MovingPlatformsModel.RADIUS, distance, model.speed, 0.0, 1.0)
 	if model.kind == MovingPlatformsModel.Kind.PRESS:
 		return Press.at.bind(0.5 * model.crush_time(), model.way, model.speed, model.surface_speed)
 	return SurfaceImpact.of.bind(model.first_ball(), model.moving(), model.bounciness)

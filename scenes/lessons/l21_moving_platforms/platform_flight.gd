@@ -1,7 +1,7 @@
 class_name PlatformFlight
 extends RefCounted
-## The ball and the surface of a state of the lesson on surfaces that move, as they fly: where they
-## are at any moment, and how far that is from the place that the formulas give.
+## The ball and the surface of a state of the lesson on surfaces that move, as the event world flies
+## them: where they are at any moment, and how far that is from the place that the formulas give.
 
 # What is shown behind what the lesson is about, in seconds: after an impact, and of rolling.
 const _AFTER_IMPACT := 0.6
@@ -14,6 +14,7 @@ const _COMPARED := 0.95
 const _COMPARED_IN_PRESS := 0.7
 
 var _model: MovingPlatformsModel
+var _world: EventWorld
 
 
 ## Of [param model] as it is now.
@@ -58,37 +59,67 @@ func _end_of_run() -> float:
 
 ## Where the ball's centre is after so many seconds.
 func ball_at(seconds: float) -> Vec2:
-	return _model.place_at(seconds)
+	_fly_to(seconds)
+	return _world.position(0)
 
 
 ## How far it has turned then, in radians, clockwise on screen.
 func turn_at(seconds: float) -> float:
-	match _model.kind:
-		MovingPlatformsModel.Kind.BELT:
-			return _model.run().turn_after(seconds)
-		MovingPlatformsModel.Kind.PLATFORM:
-			return _model.run().turn_after(maxf(seconds - _model.turn_time(), 0.0))
-	return 0.0
+	_fly_to(seconds)
+	return _world.angle(0)
 
 
 ## The wall, belt, platform or paddle after so many seconds.
 func surface_at(seconds: float) -> LineSegment:
-	var surface := _model.first_surface()
-	match _model.kind:
-		MovingPlatformsModel.Kind.WALL, MovingPlatformsModel.Kind.PADDLE:
-			return _model.moving().segment_at(seconds)
-		MovingPlatformsModel.Kind.PLATFORM:
-			_move(surface, Vec2.new(_model.platform_way(seconds), 0.0))
-		MovingPlatformsModel.Kind.PRESS:
-			_move(surface, Vec2.new(_model.surface_speed * seconds, 0.0))
-	return surface
+	_fly_to(seconds)
+	return _world.segment(0)
 
 
 ## Whether the ball is crushed then; its last state is kept.
 func is_crushed(seconds: float) -> bool:
-	if _model.kind != MovingPlatformsModel.Kind.PRESS:
-		return false
-	return Press.at(seconds, _model.way, _model.speed, _model.surface_speed).is_crushed
+	_fly_to(seconds)
+	return _world.is_crushed(0)
+
+
+# A world that is asked for an earlier moment starts anew.
+func _fly_to(seconds: float) -> void:
+	if not _world or seconds < _world.time:
+		_world = EventWorld.new()
+		_fill()
+	if seconds > _world.time:
+		Refusal.push(_world.advance_to(seconds))
+
+
+func _fill() -> void:
+	var surfaces: Array[LineSegment] = [_model.first_surface()]
+	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+		surfaces.append(_model.far_wall())
+	Refusal.push(_world.set_segments(surfaces))
+	if _model.is_carried():
+		Refusal.push(_world.set_gravity(Vec2.new(0.0, MovingPlatformsModel.GRAVITY)))
+		Refusal.push(_world.set_friction(_model.friction))
+		Refusal.push(_world.set_bounciness(0.0))
+	elif _model.is_impact():
+		Refusal.push(_world.set_bounciness(_model.bounciness))
+	Refusal.push(_world.set_balls([_model.first_ball()]))
+	match _model.kind:
+		MovingPlatformsModel.Kind.BELT:
+			Refusal.push(_world.set_belt_speed(0, _model.surface_speed))
+		_:
+			Refusal.push(_world.set_segment_motion(0, _motion()))
+
+
+func _motion() -> SegmentMotion:
+	match _model.kind:
+		MovingPlatformsModel.Kind.PLATFORM:
+			var there := _model.turn_time()
+			var ways: Array[Vec2] = [Vec2.zero(), Vec2.new(_model.way, 0.0), Vec2.zero()]
+			return SegmentMotion.along([0.0, there, 2.0 * there], ways, true)
+		MovingPlatformsModel.Kind.PADDLE:
+			return SegmentMotion.turning(_model.surface_start, _model.turning)
+		MovingPlatformsModel.Kind.PRESS:
+			return SegmentMotion.steady(Vec2.new(_model.surface_speed, 0.0))
+	return SegmentMotion.steady(_model.surface_velocity)
 
 
 ## Where a point of the lab is that is there at this moment, in the frame of reference that the
@@ -106,7 +137,7 @@ func seen(point: Vec2, seconds: float) -> Vec2:
 		MovingPlatformsModel.Kind.PRESS:
 			return point.minus(Vec2.new(_model.surface_speed * seconds, 0.0))
 	var turned := point.copy()
-	turned.rotate_around_radians(_model.surface_start, -_model.turn * seconds)
+	turned.rotate_around_radians(_model.surface_start, -_model.turning * seconds)
 	return turned
 
 
@@ -114,7 +145,7 @@ func seen(point: Vec2, seconds: float) -> Vec2:
 func seen_direction(direction: Vec2, seconds: float) -> Vec2:
 	var turned := direction.copy()
 	if _model.from_surface and _model.kind == MovingPlatformsModel.Kind.PADDLE:
-		turned.rotate_radians(-_model.turn * seconds)
+		turned.rotate_radians(-_model.turning * seconds)
 	return turned
 
 
@@ -133,8 +164,3 @@ func _compared_at() -> float:
 	if _model.kind == MovingPlatformsModel.Kind.PRESS:
 		return _COMPARED_IN_PRESS * _last()
 	return (_COMPARED if _model.is_carried() else 1.0) * _last()
-
-
-static func _move(segment: LineSegment, by: Vec2) -> void:
-	segment.start.add(by)
-	segment.end.add(by)

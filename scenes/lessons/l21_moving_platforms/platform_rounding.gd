@@ -7,7 +7,7 @@ const _KEYS: Dictionary[MovingPlatformsModel.Kind, Array] = {
 	MovingPlatformsModel.Kind.WALL: ["ball", "velocity", "surface", "surface_velocity"],
 	MovingPlatformsModel.Kind.BELT: ["ball", "surface", "speed", "surface_speed", "friction"],
 	MovingPlatformsModel.Kind.PLATFORM: ["surface_speed", "friction", "way"],
-	MovingPlatformsModel.Kind.PADDLE: ["ball", "velocity", "surface", "turn"],
+	MovingPlatformsModel.Kind.PADDLE: ["ball", "velocity", "surface", "turning"],
 	MovingPlatformsModel.Kind.PRESS: ["way", "speed", "surface_speed"],
 }
 
