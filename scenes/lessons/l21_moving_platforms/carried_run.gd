@@ -1,13 +1,13 @@
 class_name CarriedRun
 extends RefCounted
-## A disc that does not turn yet and lies on a surface that runs below it, such as a belt: it rubs,
+## A disc that does not turn yet and lies on a surface that runs below it, such as a belt: it slips,
 ## and then it rolls. The motion is that of [Incline].
 
-## What becomes of it: it rolls at once; it rubs and then rolls; the surface ends before; it rubs
+## What becomes of it: it rolls at once; it slips and then rolls; the surface ends before; it slips
 ## all the way, because friction cannot hold it.
 enum Case { ROLLS, ROLLS_LATER, ENDS_BEFORE, SLIPS }
 
-## u: how fast its lowest point rubs along the surface at first, in px/s.
+## u: how fast its lowest point slips along the surface at first, in px/s.
 var slip := 0.0
 ## What becomes of it.
 var run_case := Case.SLIPS
@@ -53,13 +53,13 @@ func rolls() -> bool:
 	return run_case in [Case.ROLLS, Case.ROLLS_LATER]
 
 
-## How fast the slip becomes less, in px/s²: 3 µ N - G, or 3 µ N + G where it rubs backwards.
+## How fast the slip becomes less, in px/s²: 3 µ N - G, or 3 µ N + G where it slips backwards.
 func fading() -> float:
 	return Friction.YIELD * grip() - signf(slip) * _incline.pull
 
 
-## The acceleration while it rubs, in px/s².
-func rubbing_acceleration() -> float:
+## The acceleration while it slips, in px/s².
+func slipping_acceleration() -> float:
 	return _incline.pull - signf(slip) * grip()
 
 

@@ -15,7 +15,12 @@ const SMALLEST := 1.0
 
 # How sentences on what is wrong call a number.
 const _SYMBOLS: Dictionary[String, String] = {
-	"bounciness": "C", "friction": "µ", "turning": "ω", "speed": "v", "surface_speed": "V", "way": "h"
+	"bounciness": "C",
+	"friction": "µ",
+	"turning": "ω",
+	"speed": "v",
+	"surface_speed": "V",
+	"way": "h"
 }
 
 

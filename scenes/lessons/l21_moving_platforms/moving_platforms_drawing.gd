@@ -1,7 +1,7 @@
 class_name MovingPlatformsDrawing
 extends Node2D
 ## The drawing of the lesson on surfaces that move: the surface with its ball, the velocities at the
-## impact tip to tail, the disc that rubs, the way of the ball in the press, and the verdict.
+## impact tip to tail, the disc that slips, the way of the ball in the press, and the verdict.
 
 # A way that is curved is drawn with so many pieces.
 const _PIECES := 120
@@ -276,7 +276,8 @@ func _lay_after(
 	_normal.visible = step == MovingPlatformsModel.Step.LAW
 	_wrong.visible = _leaving.visible and model.is_impact() and model.mistake_shows()
 	if _wrong.visible:
-		_wrong.lay(center, center.plus(_arrow_then(model, flight, model.wrong_velocity())))
+		var lowest := center.minus(_beside(met, 3.0))
+		_wrong.lay(lowest, lowest.plus(_arrow_then(model, flight, model.wrong_velocity())))
 
 
 static func _arrow_then(
@@ -285,7 +286,7 @@ static func _arrow_then(
 	return flight.seen_direction(velocity.scaled(model.arrow_seconds()), model.impact().time)
 
 
-# The disc on a belt or platform when it begins to rub, and when it rolls.
+# The disc on a belt or platform when it begins to slip, and when it rolls.
 func _lay_carried(
 	model: MovingPlatformsModel, flight: PlatformFlight, step: MovingPlatformsModel.Step
 ) -> void:

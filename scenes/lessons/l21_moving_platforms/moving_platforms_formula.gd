@@ -47,10 +47,10 @@ func show_model(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) ->
 static func _given(
 	model: MovingPlatformsModel, step: MovingPlatformsModel.Step
 ) -> PackedStringArray:
-	var is_first := step == MovingPlatformsModel.Step.WATCH or not _meets(model)
+	var is_first := step == MovingPlatformsModel.Step.WATCH or not _is_known(model)
 	match model.kind:
 		MovingPlatformsModel.Kind.BELT:
-			return [_ENDS, _BELT]
+			return [_ENDS, _BELT] if is_first else [_BELT]
 		MovingPlatformsModel.Kind.PLATFORM:
 			return [_PLATFORM]
 		MovingPlatformsModel.Kind.PADDLE:
@@ -60,8 +60,8 @@ static func _given(
 	return [_BALL, _ENDS, _WALL] if is_first else [_VELOCITIES]
 
 
-static func _meets(model: MovingPlatformsModel) -> bool:
-	return model.is_impact() and model.impact().hit
+static func _is_known(model: MovingPlatformsModel) -> bool:
+	return model.is_carried() or model.impact().hit
 
 
 func _lines(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) -> PackedStringArray:
@@ -122,7 +122,7 @@ static func _lines_on_belt(
 	return found
 
 
-# While it rubs, f works against u: it points to the end where u is below 0.
+# While it slips, f works against u: it points to the end where u is below 0.
 static func _lines_on_rolling(run: CarriedRun) -> PackedStringArray:
 	if run.pull() == 0.0:
 		return [
@@ -134,7 +134,7 @@ static func _lines_on_rolling(run: CarriedRun) -> PackedStringArray:
 	return [
 		"{f} = {grip}   G = {pull}   {u} = {u_value}",
 		"t = |{u}| / (3 {f} %s G) = {u_size} / {fading} = {t}" % way,
-		"{va} = {v} + (G %s {f}) t = {v_value} + {rubbing}·{t} = {va_value}" % way,
+		"{va} = {v} + (G %s {f}) t = {v_value} + {slipping}·{t} = {va_value}" % way,
 	]
 
 
@@ -235,7 +235,12 @@ func _put_impact(model: MovingPlatformsModel) -> void:
 	var reach := absf(model.turning) * (model.moving().reach() + met.center.length())
 	_put_sum("w_pair", met.touched, met.touched.length() + reach, Palette.Role.B)
 	_put_sum("U_pair", met.seen, size, rest)
-	_put_sum("n_pair", met.normal, 1.0 + met.center.length() / MovingPlatformsModel.RADIUS, Palette.Role.INK)
+	_put_sum(
+		"n_pair",
+		met.normal,
+		1.0 + met.center.length() / MovingPlatformsModel.RADIUS,
+		Palette.Role.INK
+	)
 	_formula.put_sum("U_n", met.seen.dot(met.normal), size, rest)
 	_put_sum("Ub_pair", met.bounced, twice, rest)
 	_put_sum("va_pair", met.leaving, twice + met.touched.length(), Palette.Role.PROJECTION)
@@ -258,7 +263,7 @@ func _put_carried(model: MovingPlatformsModel) -> void:
 	_formula.put_number("grip", run.grip(), Palette.Role.UNIT)
 	_formula.put_number("three_grips", 3.0 * run.grip(), Palette.Role.UNIT)
 	_formula.put_number("fading", run.fading(), ink)
-	_formula.put_sum("rubbing", run.rubbing_acceleration(), run.grip() + absf(run.pull()), ink)
+	_formula.put_sum("slipping", run.slipping_acceleration(), run.grip() + absf(run.pull()), ink)
 	_formula.put_number("h_value", model.way, ink)
 	_formula.put_number("t", run.roll_time, ink)
 	var size := absf(model.speed) + absf(model.surface_speed) + absf(run.slip)

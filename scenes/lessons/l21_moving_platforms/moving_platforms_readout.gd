@@ -20,7 +20,6 @@ func measure(model: MovingPlatformsModel) -> void:
 ## Shows what [param model] comes to, from the last step on.
 func show_model(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) -> void:
 	_readout.visible = step == MovingPlatformsModel.Step.FLY
-	_readout.is_the_point = _readout.visible
 	if model.is_carried():
 		_show_rolling(model)
 	elif model.kind == MovingPlatformsModel.Kind.PRESS:

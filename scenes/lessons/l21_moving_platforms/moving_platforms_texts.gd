@@ -70,7 +70,7 @@ static func _on_belt(model: MovingPlatformsModel) -> PackedStringArray:
 	var back := ""
 	match run.run_case:
 		CarriedRun.Case.ROLLS:
-			back = LabText.translate("Nothing rubs, and it rolls at once.")
+			back = LabText.translate("Nothing slips, and it rolls at once.")
 		CarriedRun.Case.ROLLS_LATER when is_level:
 			back = LabText.translate(
 				"A third of u goes into the flight, two thirds into the spin. Then it rolls."
@@ -83,14 +83,14 @@ static func _on_belt(model: MovingPlatformsModel) -> PackedStringArray:
 				)
 			)
 		CarriedRun.Case.ENDS_BEFORE:
-			back = LabText.translate("The belt ends before u is 0: it still rubs there.")
+			back = LabText.translate("The belt ends before u is 0: it still slips there.")
 		CarriedRun.Case.SLIPS:
-			back = LabText.translate("Friction is too weak to end the rubbing: it never rolls.")
+			back = LabText.translate("Friction is too weak to end the slip: it never rolls.")
 	return [
 		LabText.translate(
 			"A disc that does not turn is put on the belt. How fast is it in the end? Press Play."
 		),
-		LabText.translate("Seen from the belt, the disc's lowest point rubs with u = v − s."),
+		LabText.translate("Seen from the belt, the disc's lowest point slips with u = v − s."),
 		_on_friction(model),
 		back,
 		_on_flight(model),
@@ -101,7 +101,7 @@ static func _on_friction(model: MovingPlatformsModel) -> String:
 	if model.friction == 0.0:
 		return LabText.translate("Here µ is 0: nothing moves or turns the disc.")
 	if model.run().slip == 0.0:
-		return LabText.translate("Nothing rubs, so there is no friction that would end it.")
+		return LabText.translate("Nothing slips, so there is no friction that would end it.")
 	return LabText.translate(
 		"Friction f = µ N works against u and turns the disc: of u it takes 3 f each second."
 	)
@@ -121,7 +121,7 @@ static func _on_platform(model: MovingPlatformsModel) -> PackedStringArray:
 			"The disc lies on the platform and goes with it. What does it do when that turns back?"
 		),
 		LabText.translate(
-			"The platform has −V at once, the disc still V. So it rubs with u = V − (−V) = 2 V."
+			"The platform has −V at once, the disc still V. So it slips with u = V − (−V) = 2 V."
 		),
 		_on_friction(model),
 		back,
@@ -265,12 +265,12 @@ static func _on_rolling(model: MovingPlatformsModel) -> PackedStringArray:
 		CarriedRun.Case.ROLLS:
 			words.append(LabText.translate("it rolls at once"))
 		CarriedRun.Case.ROLLS_LATER:
-			words.append(LabText.translate("it rubs for %s s") % NumberText.short(run.roll_time))
+			words.append(LabText.translate("it slips for %s s") % NumberText.short(run.roll_time))
 			words.append(LabText.translate("then it rolls with %s px/s") % speed_text(model))
 		CarriedRun.Case.ENDS_BEFORE:
 			words.append(LabText.translate("it comes to an end before it rolls"))
 		CarriedRun.Case.SLIPS:
-			words.append(LabText.translate("it rubs all the way"))
+			words.append(LabText.translate("it slips all the way"))
 	return words
 
 

@@ -6,12 +6,16 @@ extends RefCounted
 # What is shown behind what the lesson is about, in seconds: after an impact, and of rolling.
 const _AFTER_IMPACT := 0.6
 const _ROLLING := 2.0
-# Without an impact, and of a disc that only rubs, so many seconds are shown.
+# Without an impact, and of a disc that only slips, so many seconds are shown.
 const _WITHOUT := 2.0
-# Where ball and formula are compared, as a share of the flight: before a disc leaves its belt, and
-# well before a ball is crushed.
+# Where a disc and its formula are compared, as a share of the flight: before it leaves its belt.
 const _COMPARED := 0.95
+# In a press, at this share of the time, but not behind so many bounces.
 const _COMPARED_IN_PRESS := 0.7
+const _COMPARED_BOUNCES := 50.0
+# Behind so many bounces of the press they come too fast to be flown one by one: from there on the
+# formula tells where the ball is.
+const _FLOWN_BOUNCES := 100.0
 
 var _model: MovingPlatformsModel
 var _world: EventWorld
@@ -59,26 +63,40 @@ func _end_of_run() -> float:
 
 ## Where the ball's centre is after so many seconds.
 func ball_at(seconds: float) -> Vec2:
+	if _is_beyond(seconds):
+		return _model.place_at(seconds)
 	_fly_to(seconds)
 	return _world.position(0)
 
 
 ## How far it has turned then, in radians, clockwise on screen.
 func turn_at(seconds: float) -> float:
+	if not _model.is_carried():
+		return 0.0
 	_fly_to(seconds)
 	return _world.angle(0)
 
 
 ## The wall, belt, platform or paddle after so many seconds.
 func surface_at(seconds: float) -> LineSegment:
+	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+		var wall := _model.first_surface()
+		var moved := Vec2.new(_model.surface_speed * seconds, 0.0)
+		return LineSegment.new(wall.start.plus(moved), wall.end.plus(moved))
 	_fly_to(seconds)
 	return _world.segment(0)
 
 
 ## Whether the ball is crushed then; its last state is kept.
 func is_crushed(seconds: float) -> bool:
-	_fly_to(seconds)
-	return _world.is_crushed(0)
+	var is_press := _model.kind == MovingPlatformsModel.Kind.PRESS
+	return is_press and seconds >= _model.crush_time()
+
+
+func _is_beyond(seconds: float) -> bool:
+	if _model.kind != MovingPlatformsModel.Kind.PRESS:
+		return false
+	return seconds > _model.press_time(_FLOWN_BOUNCES)
 
 
 # A world that is asked for an earlier moment starts anew.
@@ -162,5 +180,5 @@ func rounding() -> float:
 
 func _compared_at() -> float:
 	if _model.kind == MovingPlatformsModel.Kind.PRESS:
-		return _COMPARED_IN_PRESS * _last()
+		return minf(_COMPARED_IN_PRESS * _last(), _model.press_time(_COMPARED_BOUNCES))
 	return (_COMPARED if _model.is_carried() else 1.0) * _last()
