@@ -1,10 +1,12 @@
 class_name TurningImpactFinder
 extends RefCounted
-## The first impact of a ball in straight flight with a segment that turns about a pivot.
+## The first impact of a ball, in straight flight or under gravity, with a segment that turns about a
+## pivot.
 ##
 ## There is no formula for the time. Seen from the segment the ball flies on a spiral, and the gap
 ## between both is looked at again and again. The gap cannot bend towards 0 by more than a known
-## bound, in px/s²: 2 |turn| |V| + turn² d, with the velocity V and the distance d from the pivot.
+## bound, in px/s²: 2 |turn| |V| + turn² d + |g|, with the velocity V, the distance d from the pivot
+## and the gravity g. Under gravity V grows, so no step is longer than V takes to double, or so.
 ## So with the gap and its growth at one moment, a parabola lies below the gap from then on. The
 ## next look is where that parabola comes down to 0: never behind an impact, and near one the steps
 ## are those of Newton's method.
@@ -24,10 +26,13 @@ var normal: Vec2
 var arm: Vec2
 ## Which part of the segment is touched.
 var feature := Impact.Feature.LINE
+## After a call that returned false: whether the ball never meets the segment, however long it flies.
+var is_gone := false
 
 # All from the pivot: the ball's centre and its velocity, and the segment, at the time 0.
 var _start: Vec2
 var _velocity: Vec2
+var _pull: Vec2
 var _wall: LineSegment
 var _turn := 0.0
 var _radius := 0.0
@@ -36,29 +41,39 @@ var _gap := 0.0
 var _growth := 0.0
 
 
-## Whether [param ball] meets [param turning] within [param longest] seconds, which must be finite.
-## What cannot be used is an error.
-func find(ball: Ball, turning: TurningSegment, longest: float) -> bool:
+## Whether [param ball] meets [param turning] within [param longest] seconds, which must be finite,
+## under the constant acceleration [param pull] in px/s². What cannot be used is an error.
+func find(
+	ball: Ball, turning: TurningSegment, longest: float, pull: Vec2 = Vec2.zero()
+) -> bool:
+	is_gone = false
 	if not _can_find(ball, turning, longest):
 		return false
 	_set_up(ball, turning)
+	_pull = pull.copy()
 	var reach := turning.reach() + _radius
-	var speed := _velocity.length()
-	var bend := absf(_turn) * (2.0 * speed + absf(_turn) * reach)
 	var nearest := _wall.closest_point(Vec2.zero()).length() - _radius
-	if speed == 0.0 and _turn != 0.0:
+	var strength := _pull.length()
+	if _velocity.length() == 0.0 and strength == 0.0 and _turn != 0.0:
 		longest = minf(longest, TAU / absf(_turn))
+		is_gone = true
 	time = 0.0
 	while time <= longest:
 		_look()
-		var step := FreeFlight.time_to_fall(_gap, _growth, -bend)
-		step = maxf(step, _time_beside_ring(nearest, reach, speed))
+		var speed := _velocity_now().length()
+		var longest_step := INF
+		if strength > 0.0:
+			longest_step = (speed + absf(_turn) * reach + sqrt(strength * _radius)) / strength
+			speed += strength * longest_step
+		var bend := absf(_turn) * (2.0 * speed + absf(_turn) * reach) + strength
+		var step := minf(FreeFlight.time_to_fall(_gap, _growth, -bend), longest_step)
+		step = maxf(step, _time_beside_ring(nearest, reach, strength))
 		if time + step == time:
 			_turn_back()
 			return normal.length() > 0.0
 		time += step
-		var way := _way()
-		if way.dot(_velocity) >= 0.0 and way.length() > reach:
+		if _leaves_for_good(reach):
+			is_gone = true
 			return false
 	return false
 
@@ -115,19 +130,38 @@ func _set_up(ball: Ball, turning: TurningSegment) -> void:
 	_wall = LineSegment.new(segment.start.minus(turning.pivot), segment.end.minus(turning.pivot))
 	_turn = turning.turn
 	_radius = ball.radius
+	_pull = Vec2.zero()
+
+
+# Whether the ball is beyond what the segment reaches, and gets farther away from the pivot for ever.
+func _leaves_for_good(reach: float) -> bool:
+	var way := _way()
+	var velocity := _velocity_now()
+	if way.length() <= reach or way.dot(velocity) < 0.0:
+		return false
+	return way.dot(_pull) >= 0.0 and velocity.dot(_pull) >= 0.0
 
 
 # For how long the ball surely is not within the ring in which it can meet the segment, whose inner
 # and outer radius are given; 0 where it is there now.
-func _time_beside_ring(inner: float, outer: float, speed: float) -> float:
+func _time_beside_ring(inner: float, outer: float, strength: float) -> float:
 	var distance := _way().length()
 	var free := maxf(inner - distance, distance - outer)
-	return free / speed if free > 0.0 else 0.0
+	if free <= 0.0:
+		return 0.0
+	var speed := _velocity_now().length()
+	if strength == 0.0:
+		return free / speed
+	return 2.0 * free / (speed + sqrt(speed * speed + 2.0 * strength * free))
 
 
 # From the pivot to the ball's centre.
 func _way() -> Vec2:
-	return _start.plus(_velocity.scaled(time))
+	return _start.plus(_velocity.plus(_pull.scaled(0.5 * time)).scaled(time))
+
+
+func _velocity_now() -> Vec2:
+	return _velocity.plus(_pull.scaled(time))
 
 
 # Looks at the ball from the turning segment, for which the segment rests and the ball turns back.
@@ -135,7 +169,7 @@ func _look() -> void:
 	var angle := _turn * time
 	var way := _way()
 	way.rotate_radians(-angle)
-	var velocity := _velocity.copy()
+	var velocity := _velocity_now()
 	velocity.rotate_radians(-angle)
 	velocity.add(Vec2.new(way.y, -way.x).scaled(_turn))
 	var share := _wall.share_of(way)

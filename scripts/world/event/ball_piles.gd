@@ -50,6 +50,11 @@ const _LEAST_ANGLE := 1e-6
 
 ## What counts as slow: up to this speed, in px/s; 0 where nothing comes to lie in piles.
 var slow_speed := 0.0
+## For how long the ball of the last [method is_hurried] has flown since it touched the same surface,
+## in seconds; INF where it has touched something else.
+var since_last_touch := INF
+## The strength of gravity, in px/s².
+var strength := 0.0
 
 # C, 0..1.
 var _bounciness := 1.0
@@ -92,8 +97,9 @@ func _init(
 func set_up(gravity_x: float, gravity_y: float, bounciness: float) -> void:
 	slow_speed = 0.0
 	_bounciness = bounciness
+	strength = sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
 	if bounciness < 1.0:
-		slow_speed = LEAST_HOP * sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
+		slow_speed = LEAST_HOP * strength
 
 
 ## Makes room for this many balls.
@@ -130,6 +136,7 @@ func count_meeting(index: int, time: float) -> void:
 ## one of too many hurried touches: see [constant WEDGE_TOUCHES].
 func is_hurried(index: int, surface: int, seconds: float) -> bool:
 	var is_hurried_now := false
+	since_last_touch = seconds if surface == _last_touched[index] else INF
 	if seconds >= PILE_UP:
 		_hurried[index] = 0
 	elif surface != _last_touched[index]:
@@ -137,6 +144,11 @@ func is_hurried(index: int, surface: int, seconds: float) -> bool:
 		is_hurried_now = _hurried[index] > WEDGE_TOUCHES
 	_last_touched[index] = surface
 	return is_hurried_now
+
+
+## Whether the last touch of a ball was one of too many hurried ones.
+func is_hurried_now(index: int) -> bool:
+	return _hurried[index] > WEDGE_TOUCHES
 
 
 ## Two balls meet at [param time]; gravity may press them on each other.

@@ -21,6 +21,8 @@ const LEAST_ANGLE := 1e-6
 const NEARLY_ELASTIC := 0.999
 ## The next segment must still be below the ball this far beyond the end of the last, in pixels.
 const AHEAD := 1e-6
+## A ball hops off a segment that turns for no longer than this takes to turn by so much, in radians.
+const HOP_TURN := 0.005
 ## A ball whose bounces on a cap are no higher than this, in pixels, slides over it.
 const LOWEST_HOP := 1e-9
 
@@ -63,12 +65,19 @@ func _keep_speed(index: int, speed_squared: float) -> void:
 # Whether a ball that can hardly rise touches a second line or cap, so that both together hold it.
 # The normal is that of the first one.
 func _is_held_by_two(index: int) -> bool:
-	if not _can_hardly_rise(index):
+	if not _can_hardly_rise(index) or _spins_on_belt(index):
 		return false
 	for point in _points_around(index):
 		if _holds_at(index, point):
 			return true
 	return false
+
+
+# Where a belt rubs on a ball, it does not lie still.
+func _spins_on_belt(index: int) -> bool:
+	if _friction == 0.0 or _segments.belts.is_empty():
+		return false
+	return _segments.is_near_belt(_x[index], _y[index], _radius[index])
 
 
 # Whether a ball cannot rise by REST_HEIGHT.
@@ -470,16 +479,27 @@ func _fly_off(index: int, place: int, feature: Impact.Feature) -> void:
 # touches: THE LAWS OF CONTACT hold in the frame of reference of the surface. Its normal must be
 # known where it turns.
 func _enter_frame(index: int, surface: int) -> void:
-	if _moves and surface >= 0:
-		_restart(index)
-		var x := _x[index] - _radius[index] * _normal_x
-		var y := _y[index] - _radius[index] * _normal_y
-		_frame.enter(index, _segments, surface, Vec2.new(x, y))
+	if not _moves:
+		return
+	_restart(index)
+	var normal := Vec2.new(_normal_x, _normal_y)
+	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
+	pressure += _segments.pressure_at(surface, position(index), velocity(index), normal)
+	_frame.enter(index, _segments, surface, position(index).minus(normal.scaled(_radius[index])))
+	if _touched_feature[index] == Impact.Feature.LINE:
+		_frame.note_belt(surface, normal)
+	if _segments.turn_of(surface) != 0.0:
+		_frame.can_rest = false
+		var seconds := minf(BallPiles.LEAST_HOP, HOP_TURN / absf(_segments.turn_of(surface)))
+		if _piles.since_last_touch < seconds:
+			_frame.hop(pressure, seconds)
 
 
 func _leave_frame(index: int, surface: int) -> void:
-	if not _moves or surface < 0:
+	if not _moves:
 		return
+	if _segments.turn_of(surface) != 0.0:
+		_left_surface[index] = NOTHING
 	# Where its last bounces were summed up, its flight begins later.
 	var ahead := _start[index] - time
 	_x[index] += _frame.x * ahead

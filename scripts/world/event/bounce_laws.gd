@@ -13,6 +13,7 @@ extends BallSupport
 func _take_settings() -> void:
 	_moves = _segments.has_motion()
 	_takes_short_ways = _is_weightless() and _friction == 0.0 and not _moves
+	_counts_touches = _bounciness < 1.0 or _moves
 	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	_least_squared_speed = 2.0 * strength * REST_HEIGHT
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)
@@ -83,7 +84,7 @@ func _happen(index: int) -> void:
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
-	if _bounciness < 1.0:
+	if _counts_touches:
 		# A touch that follows too many hurried ones counts as one of a pile-up. What can hardly rise
 		# any more stands still for a moment, so that gravity can take it out.
 		if _piles.is_hurried(index, surface, time - _start[index]):
@@ -134,7 +135,7 @@ func _bounce_off_line(index: int, surface: int, approach: float, event: WorldEve
 		_left_surface[index] = surface
 		_left_speed[index] = speed
 	_end_event(index, surface, event)
-	if not _is_weightless():
+	if not _is_weightless() and _frame.can_rest:
 		_rest_if_over(index, surface, speed, pressure)
 
 
@@ -163,7 +164,7 @@ func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent)
 		_left_surface[index] = place
 		_left_speed[index] = speed
 	_end_event(index, place, event)
-	if _is_weightless():
+	if _is_weightless() or not _frame.can_rest:
 		return
 	if _is_held_by_two(index):
 		_lie_still(index, place)
@@ -176,6 +177,7 @@ func _bounce_off_cap(index: int, place: int, approach: float, event: WorldEvent)
 func _reflect(index: int, surface: int, approach: float, pressure: float) -> float:
 	var speed_squared := _squared_speed(index)
 	var speed := approach if _is_pile_up(index) else _bounciness * approach
+	speed = maxf(speed, _frame.least_speed)
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
 	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
@@ -508,12 +510,38 @@ func _really_touches(index: int, surface: int) -> bool:
 		impacts -= 1
 		_left_surface[index] = NOTHING
 		return false
+	if _is_weightless():
+		_left_surface[index] = NOTHING
+	_find_contact(index, surface)
+	var normal := Vec2.new(_normal_x, _normal_y)
+	var is_hurried := _piles.is_hurried_now(index)
+	var squeeze := _segments.squeeze_of(
+		surface, ball(index), normal, is_hurried, _wall_points(position(index))
+	)
+	if squeeze == SegmentScan.Squeeze.SHAKEN:
+		_frame.hop(_piles.strength, BallPiles.LEAST_HOP)
+	elif squeeze == SegmentScan.Squeeze.HELD and _is_line(index, surface):
+		_enter_frame(index, surface)
+		_lay_on(index, surface)
+		_leave_frame(index, surface)
+		return false
+	elif squeeze != SegmentScan.Squeeze.NONE:
+		_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
+		_set_free(index)
+		_lie_on(index, CRUSHED)
+		_spins.lie(index)
+		return false
 	return true
 
 
 # A ball that is crushed is out of the world, and stays where it is.
-func _crush(_index: int) -> void:
-	pass
+func _crush(index: int) -> void:
+	_is_there[index] = 0
+	_balls_there -= 1
+	if _uses_cells:
+		_cells.remove(index)
+		_cross_time[index] = INF
+	_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 
 
 # Whether a ball that touches this surface touches a straight line, and not a cap.

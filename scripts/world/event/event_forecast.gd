@@ -329,6 +329,9 @@ func _forecast_accelerated_touch(index: int) -> void:
 		):
 			_take(_segments.time, _segments.index, TOUCH)
 			_touched_feature[index] = _segments.feature
+			if _segments.index == skipped:
+				# It comes back after the segment has begun to move otherwise.
+				_left_surface[index] = NOTHING
 	_note_touch(index, _seconds, _surface, _kind)
 
 
@@ -472,15 +475,20 @@ func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	_normal_y = dy / distance if distance > 0.0 else 0.0
 
 
+# The nearest points of the walls.
+func _wall_points(to: Vec2) -> Array[Vec2]:
+	if not _has_walls:
+		return []
+	var points: Array[Vec2] = [Vec2.new(_left_x, to.y), Vec2.new(_right_x, to.y)]
+	points.append_array([Vec2.new(to.x, _top_y), Vec2.new(to.x, _bottom_y)])
+	return points
+
+
 # The nearest points of the walls and of all segments nearby.
 func _points_around(index: int) -> Array[Vec2]:
 	var x := position_x(index)
 	var y := position_y(index)
-	var points: Array[Vec2] = []
-	if _has_walls:
-		points = [Vec2.new(_left_x, y), Vec2.new(_right_x, y)]
-		points.append(Vec2.new(x, _top_y))
-		points.append(Vec2.new(x, _bottom_y))
+	var points := _wall_points(Vec2.new(x, y))
 	for place in _segments.places_near(x, y, _radius[index]):
 		points.append(_segments.nearest_point(place, x, y))
 	return points

@@ -23,8 +23,6 @@ enum {
 	BOTTOM_WALL = Slopes.BOTTOM_WALL
 }
 
-## Stands for the surface of a ball that has been crushed.
-const CRUSHED := ON_BALLS - 1
 
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
 ## again, it slides to the end of the segment under it, a piece of its way over a cap is over, it
@@ -36,6 +34,8 @@ enum {
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
+## Stands for the surface of a ball that has been crushed.
+const CRUSHED := ON_BALLS - 1
 
 #region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
 
@@ -109,6 +109,8 @@ var _friction := 0.0
 # Whether there is neither gravity nor friction nor a surface that moves, so that the laws that are
 # written out hold.
 var _takes_short_ways := true
+# Whether hurried touches are counted: see BallPiles.WEDGE_TOUCHES.
+var _counts_touches := false
 # Whether a segment moves, or its surface does.
 var _moves := false
 # With this squared speed a ball rises by BallSupport.REST_HEIGHT, in (px/s)².
@@ -355,7 +357,9 @@ func energy() -> float:
 ## Whether a ball lies or slides on a segment or a wall. After a change of the world this is false
 ## until time passes, be it 0 s.
 func is_resting(index: int) -> bool:
-	return not _has_changed and _support[index] != NOTHING and time >= _start[index]
+	if _has_changed or _support[index] == CRUSHED:
+		return false
+	return _support[index] != NOTHING and time >= _start[index]
 
 
 ## Whether a ball has been crushed between two surfaces. It stays where this happened, and nothing

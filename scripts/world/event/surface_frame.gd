@@ -8,6 +8,10 @@ extends RefCounted
 var x := 0.0
 ## y of the velocity.
 var y := 0.0
+## With this speed along its normal a ball leaves the surface at least, in px/s.
+var least_speed := 0.0
+## Whether a ball can come to rest on the surface.
+var can_rest := true
 ## How fast a belt runs, in px/s, to the right of a normal that points up.
 var belt := 0.0
 
@@ -39,13 +43,19 @@ func enter(index: int, segments: SegmentScan, place: int, point: Vec2) -> void:
 	_change_velocity(index, -1.0)
 
 
+## The ball hops off the surface, for so many seconds at least. The surface presses on it with
+## [param pressure], in px/s².
+func hop(pressure: float, seconds: float) -> void:
+	can_rest = false
+	least_speed = maxf(0.5 * pressure * seconds, least_speed)
+
+
 ## The ball touches the line of the segment with this unit normal, towards the ball.
-func note_belt(segments: SegmentScan, place: int, normal_x: float, normal_y: float) -> void:
-	var speed: float = segments.belts.get(place, 0.0)
-	var is_on_normal_side := (
-		segments.normal_x(place) * normal_x + segments.normal_y(place) * normal_y > 0.0
-	)
-	belt = -speed if is_on_normal_side else speed
+func note_belt(place: int, normal: Vec2) -> void:
+	var speed: float = _segments.belts.get(place, 0.0)
+	if speed != 0.0:
+		var along := Vec2.new(_segments.normal_y(place), -_segments.normal_x(place))
+		belt = speed * signf(normal.cross(along))
 
 
 ## The ball is seen from where the world rests again.
@@ -55,6 +65,8 @@ func leave(index: int) -> void:
 	x = 0.0
 	y = 0.0
 	belt = 0.0
+	least_speed = 0.0
+	can_rest = true
 
 
 func _change_velocity(index: int, times: float) -> void:

@@ -10,6 +10,8 @@ extends SegmentGrid
 
 # After so many pieces of a motion the search ends, and the ball has to look again.
 const _MOST_PIECES := 64
+# The same for a segment that turns, in seconds.
+const _LONGEST_LOOK := 8.0
 
 var _movers: Dictionary[int, SegmentMover] = {}
 var _now := 0.0
@@ -17,6 +19,7 @@ var _now_low := 0.0
 # The velocity of the frame from which the segments are seen, in px/s.
 var _frame_x := 0.0
 var _frame_y := 0.0
+var _turning := TurningImpactFinder.new()
 # Seconds until a search that was given up has to go on; INF where none was.
 var _look_again := INF
 
@@ -79,12 +82,12 @@ func see_from(place: int) -> void:
 
 ## See [method SegmentScan.velocity_x].
 func velocity_x(place: int) -> float:
-	return _movers[place].velocity.x if _movers.has(place) else 0.0
+	return _movers[place].velocity.x if _is_steady(place) else 0.0
 
 
 ## See [method SegmentScan.velocity_y].
 func velocity_y(place: int) -> float:
-	return _movers[place].velocity.y if _movers.has(place) else 0.0
+	return _movers[place].velocity.y if _is_steady(place) else 0.0
 
 
 ## See [method SegmentScan.velocity_at].
@@ -105,7 +108,7 @@ func seconds_left(place: int) -> float:
 ## The unit normal of a segment that only moves along is that which it was given: its ends are
 ## rounded anew each time.
 func normal_x(place: int) -> float:
-	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+	if _is_steady(place):
 		var given := _movers[place].given
 		return (given.start.y - given.end.y) / _length[place]
 	return super.normal_x(place)
@@ -113,7 +116,7 @@ func normal_x(place: int) -> float:
 
 ## See [method normal_x].
 func normal_y(place: int) -> float:
-	if _movers.has(place) and _movers[place].motion.turn == 0.0:
+	if _is_steady(place):
 		var given := _movers[place].given
 		return (given.end.x - given.start.x) / _length[place]
 	return super.normal_y(place)
@@ -188,6 +191,57 @@ func first_accelerated_impact(
 	return _ends_search()
 
 
+## See [method SegmentScan.squeeze_of].
+func squeeze_of(
+	place: int, of_ball: Ball, normal: Vec2, is_hurried: bool, wall_points: Array[Vec2]
+) -> Squeeze:
+	var at := of_ball.position
+	var around := super.places_near(at.x, at.y, of_ball.radius)
+	for other: int in _movers:
+		around.append(other)
+	var slack := TOUCH + ROUNDING * (absf(at.x) + absf(at.y))
+	for other in around:
+		slack = maxf(slack, TOUCH + ROUNDING * _way_of(other))
+	var squeeze := BallSqueeze.new(at, of_ball.radius, slack)
+	var moves_near := false
+	for other in around:
+		var point := nearest_point(other, at.x, at.y)
+		squeeze.add(point, velocity_at(other, point))
+		moves_near = moves_near or _movers.has(other)
+	for point in wall_points:
+		squeeze.add(point, Vec2.zero())
+	if not moves_near:
+		return super.squeeze_of(place, of_ball, normal, is_hurried, wall_points)
+	if squeeze.is_crushing():
+		return Squeeze.CRUSHED
+	if not is_hurried:
+		return Squeeze.NONE
+	var touched := at.minus(normal.scaled(of_ball.radius))
+	return (
+		Squeeze.HELD if squeeze.faces(normal, velocity_at(place, touched)) else Squeeze.SHAKEN
+	)
+
+
+## See [method SegmentScan.pressure_at].
+func pressure_at(place: int, centre: Vec2, velocity: Vec2, normal: Vec2) -> float:
+	if turn_of(place) == 0.0:
+		return 0.0
+	var turning := _movers[place].turning()
+	var arm := centre.minus(turning.pivot)
+	# In the frame that turns: the centrifugal and the Coriolis acceleration.
+	var seen := velocity.minus(turning.velocity_at(arm))
+	var outwards := arm.scaled(turning.turn * turning.turn)
+	var aside := Vec2.new(seen.y, -seen.x).scaled(2.0 * turning.turn)
+	return -normal.dot(outwards.plus(aside))
+
+
+# How far a segment has come in its motion, in pixels: as far as rounding counts.
+func _way_of(place: int) -> float:
+	if not _movers.has(place):
+		return 0.0
+	return _movers[place].velocity.length() * _movers[place].seconds
+
+
 # Whether something is found: an impact, or that the search has to go on at a later time.
 func _ends_search() -> bool:
 	if _look_again < time:
@@ -200,6 +254,9 @@ func _ends_search() -> bool:
 # Tries one piece of the motion after the other, until the flight is over or there are too many.
 func _try_pieces(place: int, is_pulled: bool) -> void:
 	var mover := _movers[place]
+	if mover.motion.turn != 0.0:
+		_try_turning(place, is_pulled)
+		return
 	var flight: PackedFloat64Array = [_x, _y, _velocity_x, _velocity_y]
 	var skipped := _skipped
 	var piece := mover.piece
@@ -224,6 +281,19 @@ func _try_pieces(place: int, is_pulled: bool) -> void:
 	_y = flight[1]
 	_velocity_x = flight[2]
 	_velocity_y = flight[3]
+
+
+# The same for a segment that turns.
+func _try_turning(place: int, is_pulled: bool) -> void:
+	var mover := _movers[place]
+	var longest := minf(time, _LONGEST_LOOK)
+	var flying := Ball.new(Vec2.new(_x, _y), _radius, Vec2.new(_velocity_x, _velocity_y))
+	var pull := Vec2.new(_pull_x, _pull_y) if is_pulled else Vec2.zero()
+	if _turning.find(flying, mover.turning(), longest, pull):
+		if _turning.time < time:
+			_take(place, _turning.time, _turning.feature)
+	elif not _turning.is_gone and longest < time:
+		_look_again = minf(_look_again, longest)
 
 
 # The flight as it is after so many seconds, seen from what moves with this velocity.
@@ -267,12 +337,16 @@ func _is_met(place: int, begin: float, end: float, is_pulled: bool) -> bool:
 	return is_met
 
 
+# Whether the segment at that place moves without turning.
+func _is_steady(place: int) -> bool:
+	return _movers.has(place) and _movers[place].motion.turn == 0.0
+
+
 # Whether the segment at that place moves with this velocity now, and does not turn.
 func _rests_in(place: int, frame_x: float, frame_y: float) -> bool:
-	var mover := _movers[place]
-	if mover.motion.turn != 0.0:
+	if not _is_steady(place):
 		return false
-	return mover.velocity.x == frame_x and mover.velocity.y == frame_y
+	return velocity_x(place) == frame_x and velocity_y(place) == frame_y
 
 
 # Puts the ends of a segment that moves where they are.

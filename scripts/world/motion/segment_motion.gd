@@ -9,7 +9,7 @@ extends GivenMotion
 # A time that is short of another one by a smaller share of it is that one.
 const _ROUNDING := 1.0 / 2.0 ** 50
 
-## The place of the pivot, in pixels; means nothing without a [member turn].
+## The place of the pivot at the time 0, in pixels; means nothing without a [member turn].
 var pivot := Vec2.zero()
 ## How fast the segment turns, in radians per second, clockwise on screen; 0 where it does not.
 var turn := 0.0
@@ -58,10 +58,10 @@ static func along(
 	return made
 
 
-## Turns about a point that rests, in pixels, by so many radians per second, clockwise on screen;
-## with 0 it rests.
-static func turning(about: Vec2, speed: float) -> SegmentMotion:
-	var made := SegmentMotion.new()
+## Turns about a point, in pixels, by so many radians per second, clockwise on screen; 0 turns
+## nothing. The point may move with a constant velocity, in pixels per second.
+static func turning(about: Vec2, speed: float, velocity := Vec2.zero()) -> SegmentMotion:
+	var made := steady(velocity)
 	made.pivot = about.copy()
 	made.turn = speed
 	return made

@@ -13,7 +13,7 @@ var piece := 0
 var seconds := 0.0
 ## How far it is from where it was at the time 0, in pixels; means nothing if it turns.
 var way := Vec2.zero()
-## Its velocity, in pixels per second; zero if it turns.
+## Its velocity, in pixels per second; of one that turns, that of its pivot.
 var velocity := Vec2.zero()
 
 # The time 0 of its motion, in seconds of the world, as the sum of two numbers.
@@ -45,7 +45,7 @@ func seconds_left() -> float:
 ## Where it is now.
 func segment_now() -> LineSegment:
 	if motion.turn != 0.0:
-		return turning().segment_at(seconds)
+		return _turning_from_start().segment_at(seconds)
 	return segment_after(way)
 
 
@@ -54,13 +54,19 @@ func segment_after(so_far: Vec2) -> LineSegment:
 	return LineSegment.new(given.start.plus(so_far), given.end.plus(so_far))
 
 
-## The segment that turns.
+## The segment that turns, from now on.
 func turning() -> TurningSegment:
-	return TurningSegment.new(given, motion.pivot, motion.turn)
+	var pivot_now := _turning_from_start().pivot_at(seconds)
+	return TurningSegment.new(segment_now(), pivot_now, motion.turn, velocity)
 
 
 ## The velocity of the point of it that is here now, in pixels per second.
 func velocity_at(point: Vec2) -> Vec2:
 	if motion.turn != 0.0:
-		return turning().velocity_at(point.minus(motion.pivot))
+		var pivot_now := _turning_from_start().pivot_at(seconds)
+		return _turning_from_start().velocity_at(point.minus(pivot_now))
 	return velocity
+
+
+func _turning_from_start() -> TurningSegment:
+	return TurningSegment.new(given, motion.pivot, motion.turn, velocity)

@@ -11,6 +11,11 @@ extends SegmentList
 ## a point round which it slides, or a point that it has just left.
 enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
+## What is around a ball that touches something: it can leave; hurried bounces between surfaces that
+## move would never end; two surfaces come nearer to each other and are about to crush it; it is
+## crushed.
+enum Squeeze { NONE, SHAKEN, HELD, CRUSHED }
+
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
 ## rounding may move it this far.
 const TOUCH := 1e-9
@@ -18,6 +23,8 @@ const TOUCH := 1e-9
 ## What rounding adds to that where coordinates are large, as a share of them.
 const ROUNDING := 8.0 / 2.0 ** 52
 
+# A ball touches a belt that is this near to it, in pixels.
+const _BELT_GAP := 1e-6
 # Two ends that are no farther than this from each other are at the same joint, as a share of the
 # radius of the ball that passes them.
 const _WIDEST_GAP := 1e-2
@@ -156,6 +163,31 @@ func turn_of(_place: int) -> float:
 ## For how many seconds the segment at that place goes on to move as it does now.
 func seconds_left(_place: int) -> float:
 	return INF
+
+
+## How strongly a segment that turns is pressed on a ball that touches it, in px/s²: what keeps the
+## ball from flying on straight, as seen from the segment. The unit normal points to the ball.
+func pressure_at(_place: int, _centre: Vec2, _velocity: Vec2, _normal: Vec2) -> float:
+	return 0.0
+
+
+## What is around a ball that touches the segment at this place, or a wall for less than 0, with this
+## unit normal towards it; [param is_hurried] after many touches one right after the other.
+## [param wall_points] are the nearest points of walls.
+func squeeze_of(
+	_place: int, of_ball: Ball, _normal: Vec2, is_hurried: bool, _wall_points: Array[Vec2]
+) -> Squeeze:
+	if is_hurried and is_near_belt(of_ball.position.x, of_ball.position.y, of_ball.radius):
+		return Squeeze.SHAKEN
+	return Squeeze.NONE
+
+
+## Whether a ball at this point touches a belt.
+func is_near_belt(x: float, y: float, radius: float) -> bool:
+	for place: int in belts:
+		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
+			return true
+	return false
 
 
 # The ball touches nothing.

@@ -7,8 +7,20 @@ extends LabTest
 const _BAR := 64.0
 
 
-func test_impacts_with_a_segment() -> void:
-	var rows := FrictionRows.new("ball_segment_friction")
+func test_impacts_with_a_segment_at_rest_or_moving() -> void:
+	for table: String in ["ball_segment_friction", "ball_moving_segment"]:
+		var rows := FrictionRows.new(table)
+		assert_gt(_fly_all(rows), 1350)
+		_assert_right(rows)
+
+
+func test_impacts_with_a_segment_that_turns() -> void:
+	var rows := FrictionRows.new("ball_turning_segment")
+	assert_gt(_fly_all(rows), 480)
+	_assert_right(rows)
+
+
+func _fly_all(rows: FrictionRows) -> int:
 	var flown := 0
 	for row: int in rows.table.size():
 		var world := _world(rows, row)
@@ -28,9 +40,17 @@ func test_impacts_with_a_segment() -> void:
 			impact.normal = event.normal
 			impact.velocity = event.velocity_after
 			impact.spin = event.spin_after
-		rows.judge(row, impact, rows.ball(row).velocity.length())
-	gut.p("%d rows flown, worst errors: %s" % [flown, rows.worst])
-	assert_gt(flown, 1350)
+		var relative := rows.ball(row).velocity.minus(rows.segment_velocity(row)).length()
+		if rows.table.has("turn"):
+			var pivot := rows.table.vector(row, "cx", "cy")
+			var reach := TurningSegment.new(rows.segment(row), pivot, 1.0).reach()
+			relative += absf(rows.table.at(row, "turn")) * reach
+		rows.judge(row, impact, relative)
+	return flown
+
+
+func _assert_right(rows: FrictionRows) -> void:
+	gut.p("worst errors: %s" % rows.worst)
 	assert_eq(rows.wrong, PackedInt32Array())
 	assert_all_at_most(rows.worst.values(), _BAR, str(rows.worst))
 
@@ -78,6 +98,14 @@ func _world(rows: FrictionRows, row: int) -> EventWorld:
 	var longest := _longest(rows.table, row)
 	if longest > WorldLimits.LARGEST or world.add_segment(rows.segment(row)):
 		return null
+	if rows.table.has("wx"):
+		var motion := SegmentMotion.steady(rows.segment_velocity(row))
+		if rows.table.has("turn"):
+			var pivot := rows.table.vector(row, "cx", "cy")
+			var turn := rows.table.at(row, "turn")
+			motion = SegmentMotion.turning(pivot, turn, rows.segment_velocity(row))
+		if world.set_segment_motion(0, motion):
+			return null
 	if world.add_ball(rows.ball(row)):
 		return null
 	assert_no_refusal(world.advance_to(longest))
@@ -87,7 +115,7 @@ func _world(rows: FrictionRows, row: int) -> EventWorld:
 # The time of the impact and what rounding may add to it.
 func _longest(table: MotionTable, row: int) -> float:
 	if not table.is_hit(row):
-		return 1e6
+		return table.at(row, "t_max") if table.has("t_max") else 1e6
 	return table.at(row, "t") + 8.0 * EPSILON * table.at(row, "condition") + 1e-300
 
 
