@@ -42,6 +42,12 @@ const _GOOD: Dictionary[String, Array] = {
 	],
 	"slide_and_roll":
 	["friction=0.125", "start=-200,0&end=200,0&speed=300&radius=15&mistake=103&has_engine=true"],
+	"moving_platforms":
+	[
+		"ball=200,0&velocity=-200,0&bounciness=0.5&mistake=102",
+		"kind=1&surface=-192,56,192,-56&surface_speed=348&friction=0.5&from_surface=true",
+		"kind=4&way=200&speed=300&surface_speed=100",
+	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -155,6 +161,13 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"gravity=0": "g must be within 0.001..1000000, not 0.",
 		"end=48,-40":
 		"The line must lead at least 1 px to the right and not climb: from (−48, −36) to (48, −40)",
+	},
+	"moving_platforms":
+	{
+		"kind=5": "kind must be within 0..4, not 5.",
+		"bounciness=2": "C must be within 0..1, not 2.",
+		"ball=-110,0": "the ball's centre must be more than 20 px from the surface, not 10.",
+		"kind=4&speed=80": "at least 1 px/s faster than the wall with 90, not 80.",
 	},
 }
 

@@ -11,6 +11,7 @@ const _KEEPING_Y_DOWN: Array[StringName] = [
 	&"ballistic_aim",
 	&"timed_shot",
 	&"slide_and_roll",
+	&"moving_platforms",
 ]
 
 

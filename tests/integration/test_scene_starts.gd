@@ -25,6 +25,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"bank_shot": ["Board/Drawing/Wall1:head", Vector2(480.0, 280.0)],
 	&"newton_balls": ["Board/Drawing/Ball1:head", Vector2(-2.0, -2.0)],
 	&"slide_and_roll": ["Board/Drawing/Line:tail", Vector2(-60.0, -40.0)],
+	&"moving_platforms": ["Board/Drawing/VelocityHead:point", Vector2(120.0, -40.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

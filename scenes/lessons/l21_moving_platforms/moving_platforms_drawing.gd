@@ -274,6 +274,9 @@ func _lay_after(
 	var unit := flight.seen_direction(met.normal, met.time)
 	_normal.lay(center, center.plus(unit.scaled(_NORMAL / _normal.board.pixels_per_unit)))
 	_normal.visible = step == MovingPlatformsModel.Step.LAW
+	if _normal.visible:
+		_seen.keep_label_from(center.plus(unit))
+		_bounced.keep_label_from(center.plus(unit))
 	_wrong.visible = _leaving.visible and model.is_impact() and model.mistake_shows()
 	if _wrong.visible:
 		var lowest := center.minus(_beside(met, 3.0))

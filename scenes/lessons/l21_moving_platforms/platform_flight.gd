@@ -10,9 +10,9 @@ const _ROLLING := 2.0
 const _WITHOUT := 2.0
 # Where a disc and its formula are compared, as a share of the flight: before it leaves its belt.
 const _COMPARED := 0.95
-# In a press, at this share of the time, but not behind so many bounces.
+# In a press, at this share of the time, but not behind so many bounces; not at one of them.
 const _COMPARED_IN_PRESS := 0.7
-const _COMPARED_BOUNCES := 50.0
+const _COMPARED_BOUNCES := 50.25
 # Behind so many bounces of the press they come too fast to be flown one by one: from there on the
 # formula tells where the ball is.
 const _FLOWN_BOUNCES := 100.0

@@ -127,6 +127,17 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Finish": 5,
 		_TABLE: 5,
 	},
+	&"moving_platforms":
+	{
+		"Seen": 1,
+		"SurfaceThen": 1,
+		"Normal": 2,
+		"Bounced": 2,
+		"Leaving": 3,
+		"Added": 3,
+		"Verdict": 3,
+		_TABLE: 4,
+	},
 }
 
 
