@@ -148,6 +148,16 @@ func impact() -> SurfaceImpact:
 	return _impact
 
 
+## How long the ball flies on after an impact with a wall or paddle until it is met again, in
+## seconds; INF if it is not, within [constant SurfaceImpact.LONGEST].
+func time_to_next_impact() -> float:
+	var surface := moving().segment_at(impact().time)
+	var now := TurningSegment.new(surface, surface.start, moving().turn, moving().velocity)
+	var leaves := Ball.new(impact().center, RADIUS, impact().leaving)
+	var next := SurfaceImpact.of(leaves, now, bounciness)
+	return next.time if next.hit else INF
+
+
 ## The disc on the belt; or on the platform, from where that turns back, as the platform sees it.
 ## Null for the other kinds.
 func run() -> CarriedRun:

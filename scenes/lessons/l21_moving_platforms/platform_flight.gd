@@ -53,7 +53,9 @@ func _last() -> float:
 			return first + minf(_end_of_run(), first)
 		MovingPlatformsModel.Kind.PRESS:
 			return _model.crush_time()
-	return _model.impact().time + _AFTER_IMPACT if _model.impact().hit else _WITHOUT
+	if not _model.impact().hit:
+		return _WITHOUT
+	return _model.impact().time + minf(_AFTER_IMPACT, _model.time_to_next_impact())
 
 
 func _end_of_run() -> float:

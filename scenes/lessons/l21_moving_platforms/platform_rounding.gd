@@ -20,6 +20,10 @@ static func of(model: MovingPlatformsModel, seconds: float) -> float:
 		numbers.append_array(_as_list(model.to_dictionary()[key]))
 	numbers.append(seconds)
 	var condition := ShotCondition.of(numbers, _place.bind(model)) + _of_bounciness(model, seconds)
+	# The sizes that cannot be changed are numbers, too.
+	condition += MovingPlatformsModel.RADIUS
+	if model.kind == MovingPlatformsModel.Kind.PLATFORM:
+		condition += MovingPlatformsModel.PLATFORM_LENGTH
 	return ShotCondition.EPSILON * condition
 
 
