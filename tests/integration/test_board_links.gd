@@ -166,8 +166,9 @@ const _BAD: Dictionary[String, Dictionary] = {
 	{
 		"kind=5": "kind must be within 0..4, not 5.",
 		"bounciness=2": "C must be within 0..1, not 2.",
-		"ball=-110,0": "the ball's centre must be more than 20 px from the surface, not 10.",
-		"kind=4&speed=80": "at least 1 px/s faster than the wall with 90, not 80.",
+		"ball=-110,0":
+		"At the start the ball's centre must be more than 20 px from the surface, not 10.",
+		"kind=4&speed=80": "The ball must be at least 1 px/s faster than the wall with 90, not 80.",
 	},
 }
 

@@ -274,13 +274,26 @@ func _lay_after(
 	var unit := flight.seen_direction(met.normal, met.time)
 	_normal.lay(center, center.plus(unit.scaled(_NORMAL / _normal.board.pixels_per_unit)))
 	_normal.visible = step == MovingPlatformsModel.Step.LAW
+	_normal.label = "n" if model.is_impact() else ""
 	if _normal.visible:
-		_seen.keep_label_from(center.plus(unit))
-		_bounced.keep_label_from(center.plus(unit))
+		_lay_law(model, flight, center)
 	_wrong.visible = _leaving.visible and model.is_impact() and model.mistake_shows()
 	if _wrong.visible:
 		var lowest := center.minus(_beside(met, 3.0))
 		_wrong.lay(lowest, lowest.plus(_arrow_then(model, flight, model.wrong_velocity())))
+
+
+# U and U′ on both sides of the normal.
+func _lay_law(model: MovingPlatformsModel, flight: PlatformFlight, center: Vec2) -> void:
+	var met := model.impact()
+	var upper := center.plus(_beside(met, 1.0))
+	_seen.lay(upper.minus(_arrow_then(model, flight, met.seen)), upper)
+	_seen.keep_label_from(_normal_point(met, flight, center).minus(_beside(met, 3.0)))
+	_bounced.keep_label_from(_normal_point(met, flight, center).plus(_beside(met, 3.0)))
+
+
+static func _normal_point(met: SurfaceImpact, flight: PlatformFlight, center: Vec2) -> Vec2:
+	return center.plus(flight.seen_direction(met.normal, met.time))
 
 
 static func _arrow_then(
@@ -307,7 +320,7 @@ func _lay_carried(
 	_seen.visible = step == MovingPlatformsModel.Step.FRAME
 	var pull := -signf(run.slip) * _FRICTION / _friction.board.pixels_per_unit
 	_friction.lay(foot, foot.plus(along.scaled(pull)))
-	_friction.keep_label_from(center)
+	_friction.keep_label_from(foot.minus(model.up()))
 	_friction.visible = step == MovingPlatformsModel.Step.LAW and model.friction > 0.0
 	_friction.visible = _friction.visible and run.slip != 0.0
 	var is_platform := model.kind == MovingPlatformsModel.Kind.PLATFORM

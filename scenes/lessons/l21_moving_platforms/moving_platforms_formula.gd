@@ -235,12 +235,7 @@ func _put_impact(model: MovingPlatformsModel) -> void:
 	var reach := absf(model.turning) * (model.moving().reach() + met.center.length())
 	_put_sum("w_pair", met.touched, met.touched.length() + reach, Palette.Role.B)
 	_put_sum("U_pair", met.seen, size, rest)
-	_put_sum(
-		"n_pair",
-		met.normal,
-		1.0 + met.center.length() / MovingPlatformsModel.RADIUS,
-		Palette.Role.INK
-	)
+	_formula.put_vector("n_pair", MovingPlatformsTexts.cleaned(met.normal, 1.0), Palette.Role.INK)
 	_formula.put_sum("U_n", met.seen.dot(met.normal), size, rest)
 	_put_sum("Ub_pair", met.bounced, twice, rest)
 	_put_sum("va_pair", met.leaving, twice + met.touched.length(), Palette.Role.PROJECTION)

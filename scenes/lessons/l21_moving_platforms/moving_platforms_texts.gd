@@ -315,7 +315,13 @@ static func _size(model: MovingPlatformsModel) -> float:
 
 ## A pair of numbers; what is only rounding beside terms of [param size] is 0.
 static func pair(vector: Vec2, size: float) -> String:
+	var shown := cleaned(vector, size)
+	return NumberText.pair(shown.x, shown.y)
+
+
+## The same vector, in which what is only rounding beside terms of [param size] is 0.
+static func cleaned(vector: Vec2, size: float) -> Vec2:
 	var least := 1e-13 * size
 	var x := 0.0 if absf(vector.x) < least else vector.x
 	var y := 0.0 if absf(vector.y) < least else vector.y
-	return NumberText.pair(x, y)
+	return Vec2.new(x, y)
