@@ -43,9 +43,7 @@ var _growth := 0.0
 
 ## Whether [param ball] meets [param turning] within [param longest] seconds, which must be finite,
 ## under the constant acceleration [param pull] in px/s². What cannot be used is an error.
-func find(
-	ball: Ball, turning: TurningSegment, longest: float, pull: Vec2 = Vec2.zero()
-) -> bool:
+func find(ball: Ball, turning: TurningSegment, longest: float, pull: Vec2 = Vec2.zero()) -> bool:
 	is_gone = false
 	if not _can_find(ball, turning, longest):
 		return false

@@ -53,8 +53,6 @@ var slow_speed := 0.0
 ## For how long the ball of the last [method is_hurried] has flown since it touched the same surface,
 ## in seconds; INF where it has touched something else.
 var since_last_touch := INF
-## The strength of gravity, in px/s².
-var strength := 0.0
 
 # C, 0..1.
 var _bounciness := 1.0
@@ -97,9 +95,8 @@ func _init(
 func set_up(gravity_x: float, gravity_y: float, bounciness: float) -> void:
 	slow_speed = 0.0
 	_bounciness = bounciness
-	strength = sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
 	if bounciness < 1.0:
-		slow_speed = LEAST_HOP * strength
+		slow_speed = LEAST_HOP * sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
 
 
 ## Makes room for this many balls.

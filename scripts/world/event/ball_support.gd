@@ -4,27 +4,13 @@ extends EventForecast
 ## still, slides or rolls along a line, over a seam between two lines, or slides over a cap, where
 ## there is no friction.
 
-## A ball whose remaining bounces on a line would all be over within this time, in seconds, lies on
-## the line from the end of the last one: 2 v / (g (1 - C)) after the bounce that it leaves with the
-## normal speed v. That is the sum of all remaining bounces, of which there are infinitely many.
-const REST_TIME := 1e-9
-## A ball that would be in the air for less than this time, in seconds, lies, too, whatever C is.
-const REST_HOP := 1e-12
 ## A ball that cannot rise by more than this any more, in pixels, lies still where two surfaces hold
 ## it: there its bounces off both mix, and no formula gives their end.
 const REST_HEIGHT := 1e-9
 ## The second surface holds a ball that is this near to it, in pixels.
-const REST_GAP := 1e-6
-## Contacts whose normals differ by less than this, in radians, count as one.
-const LEAST_ANGLE := 1e-6
-## From this C on bounces die down too slowly: they end where they are no higher than LOWEST_HOP.
-const NEARLY_ELASTIC := 0.999
+const REST_GAP := TwoSurfaces.GAP
 ## The next segment must still be below the ball this far beyond the end of the last, in pixels.
 const AHEAD := 1e-6
-## A ball hops off a segment that turns for no longer than this takes to turn by so much, in radians.
-const HOP_TURN := 0.005
-## A ball whose bounces on a cap are no higher than this, in pixels, slides over it.
-const LOWEST_HOP := 1e-9
 
 
 # After a bounce on a line with this speed along the normal, pressed on it by this part of gravity.
@@ -32,10 +18,9 @@ func _rest_if_over(index: int, surface: int, speed: float, pressure: float) -> v
 	if _is_held_by_two(index):
 		_lie_still(index, surface)
 	elif pressure > 0.0:
-		var least := maxf(REST_HOP, REST_TIME * (1.0 - _bounciness))
-		if speed <= 0.5 * pressure * least:
+		if LastBounces.are_over(speed, pressure, _bounciness):
 			_rest(index, surface, speed, pressure)
-		elif _bounciness > NEARLY_ELASTIC and speed * speed <= 2.0 * pressure * LOWEST_HOP:
+		elif LastBounces.are_too_low(speed, pressure, _bounciness):
 			_slide_on(index, surface)
 
 
@@ -46,7 +31,7 @@ func _slide_on(index: int, surface: int) -> void:
 	var speed_squared := _squared_speed(index)
 	_lay_on(index, surface)
 	var lost := speed_squared - _squared_speed(index)
-	if _bounciness == 1.0 and lost <= LEAST_ANGLE * speed_squared:
+	if _bounciness == 1.0 and lost <= LastBounces.LEAST_LOSS * speed_squared:
 		_keep_speed(index, speed_squared)
 	_go_along(index, surface)
 	_end_event(index, surface, event, WorldEvent.Kind.REST)
@@ -63,45 +48,22 @@ func _keep_speed(index: int, speed_squared: float) -> void:
 
 
 # Whether a ball that can hardly rise touches a second line or cap, so that both together hold it.
-# The normal is that of the first one.
+# The normal is that of the first one. Where a belt rubs on a ball, it does not lie still.
 func _is_held_by_two(index: int) -> bool:
-	if not _can_hardly_rise(index) or _spins_on_belt(index):
+	if not _can_hardly_rise(index):
 		return false
-	for point in _points_around(index):
-		if _holds_at(index, point):
-			return true
-	return false
-
-
-# Where a belt rubs on a ball, it does not lie still.
-func _spins_on_belt(index: int) -> bool:
-	if _friction == 0.0 or _segments.belts.is_empty():
+	if _friction > 0.0 and _segments.is_near_belt(_x[index], _y[index], _radius[index]):
 		return false
-	return _segments.is_near_belt(_x[index], _y[index], _radius[index])
+	var centre := Vec2.new(_x[index], _y[index])
+	var surfaces := TwoSurfaces.new(Vec2.new(_normal_x, _normal_y), _gravity_x, _gravity_y)
+	var tilts := _spins.tilts(index, _least_squared_speed)
+	_pressure = surfaces.pressure_among(_points_around(index), centre, _radius[index], tilts)
+	return _pressure >= 0.0
 
 
 # Whether a ball cannot rise by REST_HEIGHT.
 func _can_hardly_rise(index: int) -> bool:
 	return _squared_speed(index) <= _least_squared_speed
-
-
-# Whether the ball touches this point, and the two normals enclose the direction against gravity. At
-# a ball that spins, friction tilts what both push with. Notes how strongly they push together.
-func _holds_at(index: int, point: Vec2) -> bool:
-	var dx := _x[index] - point.x
-	var dy := _y[index] - point.y
-	var distance := sqrt(dx * dx + dy * dy)
-	if distance > _radius[index] + REST_GAP or distance == 0.0:
-		return false
-	if absf(_normal_x * dy - _normal_y * dx) <= LEAST_ANGLE * distance:
-		return false
-	for tilt in _spins.tilts(index, _least_squared_speed):
-		_pressure = TwoSurfaces.pressure(
-			_normal_x, _normal_y, dx, dy, distance, _gravity_x, _gravity_y, tilt
-		)
-		if _pressure >= 0.0:
-			return true
-	return false
 
 
 # The ball, which two surfaces hold, stays where it is until something else touches it. A spin that
@@ -124,7 +86,7 @@ func _lie_on(index: int, surface: int) -> void:
 # A ball that is squeezed among others loses half of its speed, or lies for a while.
 func _calm(index: int) -> void:
 	var is_slow := _piles.note_speed(index, time)
-	if _piles.lies(index) or not _piles.is_squeezed(index, time):
+	if _piles.lies(index) or not _piles.is_squeezed(index, time) or _is_near_motion(index):
 		return
 	if is_slow:
 		var seconds := BallPiles.WHILE if _is_held_in_pile(index) else BallPiles.SHORT_WHILE
@@ -148,7 +110,7 @@ func _settle(index: int) -> bool:
 	var still := _piles.still_with(index, time, positions())
 	for one in still:
 		var is_slow := velocity(one).length_squared() <= _piles.slow_speed ** 2
-		if not (is_slow and _is_held_in_pile(one)):
+		if not (is_slow and _is_held_in_pile(one)) or _is_near_motion(one):
 			return false
 	for one in still:
 		_restart(one)
@@ -156,6 +118,13 @@ func _settle(index: int) -> bool:
 		if one != index:
 			_forecast(one)
 	return not still.is_empty()
+
+
+# Whether a ball touches something that moves: there is no rest in a pile.
+func _is_near_motion(index: int) -> bool:
+	if not _moves:
+		return false
+	return _segments.has_motion_near(position_x(index), position_y(index), _radius[index])
 
 
 func _is_held_in_pile(index: int) -> bool:
@@ -193,9 +162,7 @@ func _wake(index: int) -> PackedInt32Array:
 
 # Adds up all remaining bounces; then the ball lies or slides on the surface.
 func _rest(index: int, surface: int, speed: float, pressure: float) -> void:
-	var seconds := 0.0
-	if _bounciness < 1.0:
-		seconds = 2.0 * speed / (pressure * (1.0 - _bounciness))
+	var seconds := LastBounces.duration(speed, pressure, _bounciness)
 	var event := _begin_event(index)
 	_lay_on(index, surface)
 	_x[index] += (_velocity_x[index] + 0.5 * _pull_x[index] * seconds) * seconds
@@ -351,7 +318,7 @@ func _is_hop_over(index: int, speed: float, pressure: float) -> bool:
 	var pressed := pressure - _outward_pull(index)
 	if pressed <= 0.0:
 		pressed = pressure
-	return pressed > 0.0 and speed * speed <= 2.0 * pressed * LOWEST_HOP
+	return pressed > 0.0 and LastBounces.is_lowest(speed, pressed)
 
 
 # The centrifugal acceleration of a ball that goes round a point, in px/s².
@@ -382,9 +349,7 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 	_support[index] = place
 	_rolled_end[index] = feature
 	_rolls.begin(index, slide, time, _time_low, _frame.x, _frame.y)
-	for other in SegmentEnds.places_at(
-		_segments, _segments.places_near(_x[index], _y[index], _radius[index]), x, y
-	):
+	for other in _lines_at(index, x, y):
 		var away := SegmentEnds.direction_from(_segments, other, x, y)
 		_rolls.end_at_line(index, away.x, away.y)
 	_begin_piece(index, 0.0)
@@ -393,9 +358,7 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 # Whether the ball, which slides round the point (x, y), is over a line that begins there, and moves
 # along it: from now on it slides on this line.
 func _comes_onto_line(index: int, x: float, y: float) -> bool:
-	for place in SegmentEnds.places_at(
-		_segments, _segments.places_near(_x[index], _y[index], _radius[index]), x, y
-	):
+	for place in _lines_at(index, x, y):
 		var away := SegmentEnds.direction_from(_segments, place, x, y)
 		var over := away.x * (_x[index] - x) + away.y * (_y[index] - y)
 		if (
@@ -408,6 +371,12 @@ func _comes_onto_line(index: int, x: float, y: float) -> bool:
 				_put_on(index, place)
 				return true
 	return false
+
+
+# The segments that end at the point (x, y), round which a ball goes.
+func _lines_at(index: int, x: float, y: float) -> PackedInt32Array:
+	var near := _segments.places_near(_x[index], _y[index], _radius[index])
+	return SegmentEnds.places_at(_segments, near, x, y)
 
 
 # The next piece of the way over a cap, this many seconds after its beginning.
@@ -446,9 +415,7 @@ func _leave_cap(index: int, place: int, feature: Impact.Feature) -> void:
 	_set_free(index)
 	var x := _segments.end_x(place, feature)
 	var y := _segments.end_y(place, feature)
-	for other in SegmentEnds.places_at(
-		_segments, _segments.places_near(_x[index], _y[index], _radius[index]), x, y
-	):
+	for other in _lines_at(index, x, y):
 		if _is_over_line(index, other):
 			_put_on(index, other)
 			return
@@ -482,23 +449,17 @@ func _enter_frame(index: int, surface: int) -> void:
 	if not _moves:
 		return
 	_restart(index)
-	var normal := Vec2.new(_normal_x, _normal_y)
-	var pressure := -(_gravity_x * _normal_x + _gravity_y * _normal_y)
-	pressure += _segments.pressure_at(surface, position(index), velocity(index), normal)
-	_frame.enter(index, _segments, surface, position(index).minus(normal.scaled(_radius[index])))
+	_frame.enter(index, surface, ball(index), Vec2.new(_normal_x, _normal_y))
 	if _touched_feature[index] == Impact.Feature.LINE:
-		_frame.note_belt(surface, normal)
-	if _segments.turn_of(surface) != 0.0:
-		_frame.can_rest = false
-		var seconds := minf(BallPiles.LEAST_HOP, HOP_TURN / absf(_segments.turn_of(surface)))
-		if _piles.since_last_touch < seconds:
-			_frame.hop(pressure, seconds)
+		_frame.note_belt(surface)
+	if _frame.turn != 0.0:
+		_frame.hop_if_short(surface, _piles.since_last_touch)
 
 
-func _leave_frame(index: int, surface: int) -> void:
+func _leave_frame(index: int) -> void:
 	if not _moves:
 		return
-	if _segments.turn_of(surface) != 0.0:
+	if _frame.turn != 0.0:
 		_left_surface[index] = NOTHING
 	# Where its last bounces were summed up, its flight begins later.
 	var ahead := _start[index] - time

@@ -13,6 +13,7 @@ extends BallSupport
 func _take_settings() -> void:
 	_moves = _segments.has_motion()
 	_takes_short_ways = _is_weightless() and _friction == 0.0 and not _moves
+	_frame.set_up(_segments, Vec2.new(_gravity_x, _gravity_y))
 	_counts_touches = _bounciness < 1.0 or _moves
 	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	_least_squared_speed = 2.0 * strength * REST_HEIGHT
@@ -41,43 +42,36 @@ func _happen(index: int) -> void:
 		_collide(index, _event_with[index])
 	elif kind == LOOK_AGAIN:
 		_forecast_event(index)
-	elif kind == SLIDE_OFF:
+	elif kind == CRUSH:
+		_crush(index)
+	else:
 		_counted_impacts -= 1
-		var surface := _support[index]
-		_enter_frame(index, surface)
+		_go_on(index, kind)
+		_forecast(index)
+
+
+# What is no impact happens to a ball that something supports.
+func _go_on(index: int, kind: int) -> void:
+	var surface := _support[index]
+	if kind == SUPPORT_TURNS:
+		_go_on_from_here(index)
+		_leave_support(index)
+		return
+	_enter_frame(index, surface)
+	if kind == SLIDE_OFF:
 		_touched[index] = _slide_off(index)
-		_leave_frame(index, surface)
-		if _touched[index] != NOTHING:
-			_touched_feature[index] = Impact.Feature.LINE
-			_bounce(index)
-		_forecast(index)
 	elif kind == FOLLOW_CAP:
-		_counted_impacts -= 1
-		var surface := _support[index]
-		_enter_frame(index, surface)
 		_follow_cap(index)
-		_leave_frame(index, surface)
-		_forecast(index)
+	elif kind == END_SLIP:
+		_end_slip(index)
 	elif kind == TRY_AGAIN:
-		_counted_impacts -= 1
 		_restart(index)
 		if not _settle(index):
 			_set_free(index)
-		_forecast(index)
-	elif kind == END_SLIP:
-		_counted_impacts -= 1
-		var surface := _support[index]
-		_enter_frame(index, surface)
-		_end_slip(index)
-		_leave_frame(index, surface)
-		_forecast(index)
-	elif kind == SUPPORT_TURNS:
-		_counted_impacts -= 1
-		_go_on_from_here(index)
-		_leave_support(index)
-		_forecast(index)
-	elif kind == CRUSH:
-		_crush(index)
+	_leave_frame(index)
+	if kind == SLIDE_OFF and _touched[index] != NOTHING:
+		_touched_feature[index] = Impact.Feature.LINE
+		_bounce(index)
 
 
 # A ball touches a wall or a segment.
@@ -111,7 +105,7 @@ func _bounce(index: int) -> void:
 		# It comes back as fast as it left: no digit is lost from bounce to bounce.
 		approach = _left_speed[index]
 	_bounce_off(index, surface, maxf(approach, 0.0), event)
-	_leave_frame(index, surface)
+	_leave_frame(index)
 	if _piles.slow_speed > 0.0:
 		_piles.count_touch(index, time)
 		_calm(index)
@@ -328,49 +322,7 @@ func _collide_by_laws(one: int, other: int) -> void:
 # events, written out.
 func _collide_fast(one: int, other: int) -> void:
 	impacts += 1
-	var flown := (time - _start[one]) + (_time_low - _start_low[one])
-	var one_velocity_x := _velocity_x[one]
-	var one_velocity_y := _velocity_y[one]
-	var one_x := _x[one] + one_velocity_x * flown
-	var one_y := _y[one] + one_velocity_y * flown
-	flown = (time - _start[other]) + (_time_low - _start_low[other])
-	var other_velocity_x := _velocity_x[other]
-	var other_velocity_y := _velocity_y[other]
-	var other_x := _x[other] + other_velocity_x * flown
-	var other_y := _y[other] + other_velocity_y * flown
-	var dx := one_x - other_x
-	var dy := one_y - other_y
-	var distance := sqrt(dx * dx + dy * dy)
-	var normal_x := dx / distance if distance > 0.0 else 0.0
-	var normal_y := dy / distance if distance > 0.0 else 0.0
-	var approach := (
-		(other_velocity_x - one_velocity_x) * normal_x
-		+ (other_velocity_y - one_velocity_y) * normal_y
-	)
-	if approach > 0.0:
-		var share := (approach + approach) / (_mass[one] + _mass[other])
-		one_velocity_x += share * _mass[other] * normal_x
-		one_velocity_y += share * _mass[other] * normal_y
-		other_velocity_x -= share * _mass[one] * normal_x
-		other_velocity_y -= share * _mass[one] * normal_y
-		_lasting_speed[one] = NAN
-		_lasting_speed[other] = NAN
-	_last_meeting[one] = time
-	_last_meeting[other] = time
-	_left_surface[one] = NOTHING
-	_left_surface[other] = NOTHING
-	_x[one] = one_x
-	_y[one] = one_y
-	_velocity_x[one] = one_velocity_x
-	_velocity_y[one] = one_velocity_y
-	_start[one] = time
-	_start_low[one] = _time_low
-	_x[other] = other_x
-	_y[other] = other_y
-	_velocity_x[other] = other_velocity_x
-	_velocity_y[other] = other_velocity_y
-	_start[other] = time
-	_start_low[other] = _time_low
+	_cells.push_apart(one, other, time, _time_low)
 	_forecast(one)
 	_forecast(other)
 
@@ -480,7 +432,7 @@ func _leave_support(index: int) -> void:
 	_find_contact(index, surface)
 	_enter_frame(index, surface)
 	_take_push(index, surface)
-	_leave_frame(index, surface)
+	_leave_frame(index)
 
 
 # A ball that lay on this surface, whose normal must be known, has got another velocity.
@@ -512,30 +464,44 @@ func _really_touches(index: int, surface: int) -> bool:
 		return false
 	if _is_weightless():
 		_left_surface[index] = NOTHING
-	_find_contact(index, surface)
-	var normal := Vec2.new(_normal_x, _normal_y)
+	for one in _wake(index):
+		_forecast(one)
 	var is_hurried := _piles.is_hurried_now(index)
-	var squeeze := _segments.squeeze_of(
-		surface, ball(index), normal, is_hurried, _wall_points(position(index))
-	)
-	if squeeze == SegmentScan.Squeeze.SHAKEN:
-		_frame.hop(_piles.strength, BallPiles.LEAST_HOP)
-	elif squeeze == SegmentScan.Squeeze.HELD and _is_line(index, surface):
-		_enter_frame(index, surface)
-		_lay_on(index, surface)
-		_leave_frame(index, surface)
-		return false
-	elif squeeze != SegmentScan.Squeeze.NONE:
-		_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
-		_set_free(index)
-		_lie_on(index, CRUSHED)
-		_spins.lie(index)
-		return false
-	return true
+	var squeeze := _segments.squeeze_of(ball(index), is_hurried, _wall_points(position(index)))
+	if squeeze == SegmentScan.Squeeze.HELD and not _is_line(index, surface):
+		squeeze = SegmentScan.Squeeze.CRUSHED
+	match squeeze:
+		SegmentScan.Squeeze.SHAKEN:
+			_frame.shake()
+		SegmentScan.Squeeze.HELD:
+			_find_contact(index, surface)
+			_enter_frame(index, surface)
+			_lay_on(index, surface)
+			_leave_frame(index)
+		SegmentScan.Squeeze.CRUSHED:
+			_hold(index, surface)
+	return squeeze <= SegmentScan.Squeeze.SHAKEN
+
+
+# What is around a ball, which touches this surface, crushes it after a while, or now.
+func _hold(index: int, surface: int) -> void:
+	_set_free(index)
+	_pull_x[index] = 0.0
+	_pull_y[index] = 0.0
+	_velocity_x[index] = _segments.crush_velocity.x
+	_velocity_y[index] = _segments.crush_velocity.y
+	_support[index] = CRUSHED
+	_left_surface[index] = surface
+	_piles.lie_until(index, time + _segments.crush_seconds)
 
 
 # A ball that is crushed is out of the world, and stays where it is.
 func _crush(index: int) -> void:
+	_restart(index)
+	var surface := _left_surface[index]
+	_find_contact(index, surface)
+	_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
+	_halt(index)
 	_is_there[index] = 0
 	_balls_there -= 1
 	if _uses_cells:

@@ -233,10 +233,11 @@ func _forecast_touch(index: int) -> void:
 		return
 	if _support[index] < NOTHING:
 		if _support[index] == ON_BALLS:
-			_note_touch(index, _piles.end_of_lying(index) - _start[index], ON_BALLS, TRY_AGAIN)
+			_forecast_end_of_lying(index, _piles.end_of_lying(index) - _start[index])
 			return
 		if _support[index] == CRUSHED:
-			_note_touch(index, 0.0, CRUSHED, CRUSH)
+			var seconds := _piles.end_of_lying(index) - _start[index]
+			_note_touch(index, maxf(seconds, 0.0), CRUSHED, CRUSH)
 			return
 		if _spins.slip_ends[index] < INF:
 			_forecast_accelerated_touch(index)
@@ -273,6 +274,15 @@ func _forecast_touch(index: int) -> void:
 			surface = _segments.index
 			_touched_feature[index] = _segments.feature
 	_note_touch(index, seconds, surface, TOUCH)
+
+
+# A ball that lies in a pile tries again after a while, unless a segment comes before.
+func _forecast_end_of_lying(index: int, seconds: float) -> void:
+	if _moves and _segments.first_impact(_x[index], _y[index], 0.0, 0.0, _radius[index], seconds):
+		_touched_feature[index] = _segments.feature
+		_note_touch(index, _segments.time, _segments.index, TOUCH)
+	else:
+		_note_touch(index, seconds, ON_BALLS, TRY_AGAIN)
 
 
 # Stores the touch that comes after this many seconds of flight. Its time is a sum of two numbers
@@ -429,22 +439,19 @@ func _forecast_return_to_cap(index: int, place: int) -> void:
 
 # The caps of a segment, without its line.
 func _forecast_ends(index: int, place: int) -> void:
-	_accelerated.set_flight(
+	if _segments.first_end(
+		place,
 		_x[index],
 		_y[index],
-		_velocity_x[index] - _segments.velocity_x(place),
-		_velocity_y[index] - _segments.velocity_y(place),
+		_velocity_x[index],
+		_velocity_y[index],
 		_pull_x[index],
 		_pull_y[index],
-		_radius[index]
-	)
-	for feature: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
-		var horizon := minf(_seconds, _segments.seconds_left(place))
-		var x := _segments.end_x(place, feature)
-		var y := _segments.end_y(place, feature)
-		if _accelerated.with_point(x, y, horizon) and _accelerated.time < horizon:
-			_touched_feature[index] = feature
-			_take(_accelerated.time, place, TOUCH)
+		_radius[index],
+		_seconds
+	):
+		_touched_feature[index] = _segments.feature
+		_take(_segments.time, place, TOUCH)
 
 
 # When a ball that slides on a segment comes to the end of its line.
@@ -489,8 +496,7 @@ func _points_around(index: int) -> Array[Vec2]:
 	var x := position_x(index)
 	var y := position_y(index)
 	var points := _wall_points(Vec2.new(x, y))
-	for place in _segments.places_near(x, y, _radius[index]):
-		points.append(_segments.nearest_point(place, x, y))
+	points.append_array(_segments.points_near(x, y, _radius[index]))
 	return points
 
 
@@ -499,10 +505,4 @@ func _lay_out_cells() -> void:
 	_uses_cells = _balls_there >= _MANY_BALLS
 	_cross_time.fill(INF)
 	if _uses_cells:
-		var size := BallCells.size_for(positions(), _radius, _is_there)
-		# Removed balls count for nothing: the world is as one without them.
-		_cells.lay_out(size, _balls_there)
-		_cells.make_room(ball_count())
-		for index in ball_count():
-			if _is_there[index] == 1:
-				_cells.put(index, _x[index], _y[index])
+		_cells.put_all(positions(), _is_there)

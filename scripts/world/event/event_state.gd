@@ -23,14 +23,11 @@ enum {
 	BOTTOM_WALL = Slopes.BOTTOM_WALL
 }
 
-
 ## What an event is: the ball touches a surface, it meets another ball, it has to look for a partner
 ## again, it slides to the end of the segment under it, a piece of its way over a cap is over, it
 ## has lain in a pile for a while, it does not slip any more on what supports it, what supports it
 ## begins to move otherwise, or it is crushed.
-enum {
-	TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP, SUPPORT_TURNS, CRUSH
-}
+enum { TOUCH, MEET, LOOK_AGAIN, SLIDE_OFF, FOLLOW_CAP, TRY_AGAIN, END_SLIP, SUPPORT_TURNS, CRUSH }
 
 ## What is touched where nothing is touched: no surface, no ball.
 const NOTHING := -1
@@ -220,16 +217,15 @@ var _cross_time: PackedFloat64Array = []
 # For each ball the earlier one of its event and its crossing; the earliest of all comes first.
 var _queue := EventQueue.new()
 # Which balls are near a ball. EventWorld lays the cells out.
-var _cells := CrowdCells.new(
-	_x, _y, _velocity_x, _velocity_y, _start, _start_low, _radius, _event_time, _cross_time
+var _cells := (
+	CrowdCells
+	. new(_x, _y, _velocity_x, _velocity_y, _start, _start_low, _radius, _event_time, _cross_time)
+	. with_pushes(_mass, _lasting_speed, _last_meeting, _left_surface)
 )
 # Whether there are enough balls for cells. EventWorld writes it.
 var _uses_cells := false
 
-#endregion
-
-#region What has happened. EventWorld and BounceLaws write it through the log.
-
+# What has happened. EventWorld and BounceLaws write it through the log.
 var _log := EventLog.new()
 
 #endregion
@@ -245,7 +241,6 @@ var _pressure := 0.0
 var _seconds := INF
 var _surface := NOTHING
 var _kind: int = TOUCH
-var _accelerated := AcceleratedImpactFinder.new()
 var _pulled_meeting := PulledMeeting.new()
 # The ball that looks for a partner, as it is now (pixels, seconds), and what it has found.
 var _asker := 0
@@ -365,7 +360,7 @@ func is_resting(index: int) -> bool:
 ## Whether a ball has been crushed between two surfaces. It stays where this happened, and nothing
 ## touches it any more.
 func is_crushed(index: int) -> bool:
-	return _support[index] == CRUSHED
+	return _support[index] == CRUSHED and _is_there[index] == 0
 
 
 ## Whether a ball rolls on a segment or a wall, or lies without turning, because friction holds it:

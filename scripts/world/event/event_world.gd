@@ -129,8 +129,7 @@ func move_segment(place: int, new_segment: LineSegment) -> String:
 	if not problem:
 		problem = new_segment.problem(LARGEST)
 	if not problem:
-		_segments.go_to(time, _time_low)
-		var sides := _sides_of_touching(place, new_segment)
+		var sides := Overlaps.sides_of_touching(_balls(), segment(place), new_segment)
 		_segments.put(place, new_segment)
 		_change_contents()
 		_push_out_of(place, sides)
@@ -160,8 +159,8 @@ func set_segment_motion(place: int, motion: GivenMotion) -> String:
 	return problem
 
 
-## Lets the surface of a segment run along it, as a belt does, with so many px/s from its start to its
-## end, on both sides; its round ends rest. 0 ends it.
+## Lets the surface of a segment run along it, as a belt does, with so many px/s from its start to
+## its end, on both sides; its round ends rest. 0 ends it.
 func set_belt_speed(place: int, speed: float) -> String:
 	var problem := WorldLimits.problem_of_place(place, _segments.has_segment(place), "segment")
 	if not problem:
@@ -176,9 +175,8 @@ func set_belt_speed(place: int, speed: float) -> String:
 
 ## The velocity of the surface of a segment at a point of it now, in px/s: its motion and its belt.
 func surface_velocity(place: int, point: Vec2) -> Vec2:
-	var along := segment(place).along().normalized()
-	var belt: float = _segments.belts.get(place, 0.0)
-	return _segments.velocity_at(place, point).plus(along.scaled(belt))
+	_segments.go_to(time, _time_low)
+	return _segments.velocity_at(place, point).plus(_segments.belt_velocity(place))
 
 
 ## Takes copies of these balls in place of the old ones. The time goes on. A ball that overlaps a
@@ -369,48 +367,27 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 
 # Pushes every ball out of what it overlaps.
 func _push_out_all() -> void:
-	for index in ball_count():
-		if _is_there[index] == 1:
-			_push_out(index, {})
+	for index: int in _balls():
+		_push_out(index, {})
 
 
 # Pushes the balls out of the segment at that place. A ball with a side of the segment in `sides`
 # belongs there.
 func _push_out_of(place: int, sides: Dictionary[int, float] = {}) -> void:
-	for index in ball_count():
-		if _is_there[index] == 1:
-			var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
-			if gap < _radius[index] or sides.has(index):
-				var side: float = sides.get(index, 0.0)
-				_push_out(index, {place: side})
+	for index: int in _balls():
+		var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
+		if gap < _radius[index] or sides.has(index):
+			var side: float = sides.get(index, 0.0)
+			_push_out(index, {place: side})
 
 
-# For each ball that touches the line of the segment at that place: on which side of the new one,
-# which is to replace it, it belongs.
-func _sides_of_touching(place: int, new_segment: LineSegment) -> Dictionary[int, float]:
-	var sides: Dictionary[int, float] = {}
-	var old := _segments.segment(place)
-	for index in ball_count():
-		if _is_there[index] == 1:
-			var side := PushOut.side_touched(old, position(index), _radius[index] + REST_GAP)
-			if side != 0.0:
-				sides[index] = PushOut.side_after(side, old, new_segment)
-	return sides
-
-
-# Pushes a ball out of what it overlaps: see PushOut. `sides` says on which side of a segment the
-# ball belongs, where that is not the side of its centre.
+# Pushes a ball out of what it overlaps: see Overlaps.
 func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 	var from := position(index)
-	var push := PushOut.new(from, _radius[index], SegmentEnds.seam_at(from.x, from.y))
-	for place: int in sides:
-		push.add_line(_segments.segment(place), sides[place])
-	for place in _segments.places_within(from.x, from.y, 3.0 * _radius[index]):
-		if not sides.has(place):
-			push.add_line(_segments.segment(place))
+	var corners: Array[Vec2] = []
 	if _has_walls:
-		push.add_walls(Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y))
-	var to := push.position()
+		corners = [Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y)]
+	var to := Overlaps.place_outside(from, _radius[index], _segments, sides, corners)
 	if to.x != from.x or to.y != from.y:
 		_restart(index)
 		_set_free(index)
@@ -419,6 +396,15 @@ func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 		if to.distance_to(from) > _radius[index]:
 			# What was far away may be in the way now.
 			_push_out(index, {})
+
+
+# Copies of all balls as they are now, by their places.
+func _balls() -> Dictionary[int, Ball]:
+	var found: Dictionary[int, Ball] = {}
+	for index in ball_count():
+		if _is_there[index] == 1:
+			found[index] = ball(index)
+	return found
 
 
 # Apart from [method advance], because a function with fewer variables is called faster.
@@ -464,10 +450,7 @@ func _note_lone_flight() -> void:
 
 func _advance_to_event(target: float) -> String:
 	if not (target >= time and target <= LARGEST):
-		return (
-			"The world stands at %s s and can advance to at most 1e15 s, not to %s."
-			% [time, target]
-		)
+		return WorldLimits.problem_of_target(time, target)
 	if _has_changed:
 		_begin_anew()
 	return _advance_to(target, 0.0)
@@ -506,8 +489,7 @@ func _problem_of_count() -> String:
 	if time >= _count_from + 1.0:
 		_count_again()
 		return ""
-	var values := [most_impacts_per_second, time]
-	return "There are more than %d impacts within a second at %s s: the world stops there." % values
+	return WorldLimits.problem_of_count(most_impacts_per_second, time)
 
 
 func _count_again() -> void:

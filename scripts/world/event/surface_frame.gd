@@ -3,11 +3,20 @@ extends RefCounted
 ## The frame of reference of a surface that a ball of an [EventWorld] touches. THE LAWS OF CONTACT
 ## HOLD AS SEEN FROM THE SURFACE: its velocity is taken away from that of the ball, the laws are
 ## those of a surface at rest, and then it is added again.
+##
+## On a segment that turns a ball never lies: its short bounces end in hops, which are too low to be
+## seen. So do those of a ball that is shaken, to and fro between surfaces that move.
+
+## A hop off a segment that turns takes [constant BallPiles.LEAST_HOP], or no longer than the segment
+## takes to turn by this, in radians.
+const HOP_TURN := 0.005
 
 ## x of the velocity of the frame, in px/s; 0 while no ball is in it.
 var x := 0.0
 ## y of the velocity.
 var y := 0.0
+## How fast the surface turns, in rad/s.
+var turn := 0.0
 ## With this speed along its normal a ball leaves the surface at least, in px/s.
 var least_speed := 0.0
 ## Whether a ball can come to rest on the surface.
@@ -16,6 +25,11 @@ var can_rest := true
 var belt := 0.0
 
 var _segments: SegmentScan
+# px/s².
+var _gravity: Vec2
+# The ball and the unit normal of the surface towards it.
+var _ball: Ball
+var _normal: Vec2
 # The arrays of the world, which are never assigned anew.
 var _velocity_x: PackedFloat64Array
 var _velocity_y: PackedFloat64Array
@@ -32,30 +46,44 @@ func _init(
 	_lasting_speed = lasting_speed
 
 
-## From now on the ball is seen from the segment at this place, whose point [param point] it
-## touches, until [method leave].
-func enter(index: int, segments: SegmentScan, place: int, point: Vec2) -> void:
+## Takes the segments of the world and its gravity, in px/s².
+func set_up(segments: SegmentScan, gravity: Vec2) -> void:
 	_segments = segments
-	_segments.see_from(place)
-	var velocity := segments.velocity_at(place, point)
+	_gravity = gravity
+
+
+## From now on the ball is seen from the surface at this place, which it touches with this unit
+## normal, until [method leave].
+func enter(index: int, place: int, ball: Ball, normal: Vec2) -> void:
+	_ball = ball
+	_normal = normal
+	var touched := ball.position.minus(normal.scaled(ball.radius))
+	var velocity := _segments.velocity_at(place, touched)
 	x = velocity.x
 	y = velocity.y
+	turn = _segments.turn_of(place)
+	can_rest = can_rest and turn == 0.0
+	_segments.see_from(place)
 	_change_velocity(index, -1.0)
 
 
-## The ball hops off the surface, for so many seconds at least. The surface presses on it with
-## [param pressure], in px/s².
-func hop(pressure: float, seconds: float) -> void:
+## The ball touches the line of the segment at this place, not its round end.
+func note_belt(place: int) -> void:
+	belt = _normal.cross(_segments.belt_velocity(place))
+
+
+## A ball that has come back to a segment that turns within this time, in seconds, hops.
+func hop_if_short(place: int, since_last_touch: float) -> void:
+	var seconds := minf(BallPiles.LEAST_HOP, HOP_TURN / absf(turn))
+	if since_last_touch < seconds:
+		var pressure := _segments.pressure_at(place, _ball.position, _ball.velocity, _normal)
+		least_speed = maxf(least_speed, 0.5 * (pressure - _gravity.dot(_normal)) * seconds)
+
+
+## At its next touch the ball hops, and does not come to rest.
+func shake() -> void:
 	can_rest = false
-	least_speed = maxf(0.5 * pressure * seconds, least_speed)
-
-
-## The ball touches the line of the segment with this unit normal, towards the ball.
-func note_belt(place: int, normal: Vec2) -> void:
-	var speed: float = _segments.belts.get(place, 0.0)
-	if speed != 0.0:
-		var along := Vec2.new(_segments.normal_y(place), -_segments.normal_x(place))
-		belt = speed * signf(normal.cross(along))
+	least_speed = 0.5 * _gravity.length() * BallPiles.LEAST_HOP
 
 
 ## The ball is seen from where the world rests again.
@@ -64,6 +92,7 @@ func leave(index: int) -> void:
 	_segments.see_from(-1)
 	x = 0.0
 	y = 0.0
+	turn = 0.0
 	belt = 0.0
 	least_speed = 0.0
 	can_rest = true

@@ -31,6 +31,18 @@ static func problem_of_speed(speed: float) -> String:
 	return "A belt must run with -%s..%s px/s, not with %s." % [limit, limit, speed]
 
 
+## A moment to which a world cannot advance that stands at [param time], in seconds.
+static func problem_of_target(time: float, target: float) -> String:
+	var values := [time, target]
+	return "The world stands at %s s and can advance to at most 1e15 s, not to %s." % values
+
+
+## More than [param most] impacts in the second before [param time].
+static func problem_of_count(most: int, time: float) -> String:
+	var values := [most, time]
+	return "There are more than %d impacts within a second at %s s: the world stops there." % values
+
+
 ## A place where there must be something, named by [param what].
 static func problem_of_place(place: int, is_taken: bool, what: String) -> String:
 	return "" if is_taken else "There is no %s at the place %d." % [what, place]

@@ -1,18 +1,23 @@
 class_name BallSqueeze
 extends RefCounted
-## What surfaces around a ball do to it when they come nearer to each other: whether they leave it
-## any velocity at all.
+## What surfaces around a ball do to it when they come nearer to each other: when they crush it.
 ##
-## A surface with the unit normal n, towards the ball, whose touched point moves with w, leaves the
-## ball only velocities v with v · n >= w · n. Two surfaces that face each other leave none if they
-## come nearer; three whose normals enclose the ball leave none if the space between them shrinks.
+## A surface with the unit normal n, towards the ball, that is g px away and comes with the speed s
+## along n, leaves the ball only places with g + n · way >= s t. Weights w >= 0 with which the
+## normals of two opposite surfaces, or of three around the ball, add up to 0 make the way drop out:
+## so after t = sum(w g) / sum(w s) no place is left.
 
 ## Normals that differ by less than this, in radians, are opposite or enclose nothing.
 const LEAST_ANGLE := 1e-6
 
-var _centre: Vec2
-var _radius: float
-var _slack: float
+## Seconds until the ball is crushed; INF where nothing comes nearer. [method find] writes it.
+var seconds := INF
+## With this velocity the ball has room until then, in px/s.
+var velocity: Vec2
+## Whether two surfaces crush it that are opposite to each other, and not three.
+var is_between_two := false
+
+var _ball: Ball
 # Of each surface: its normal, how fast it comes along that (px/s), and how far it is from touching
 # the ball (px).
 var _normals: Array[Vec2] = []
@@ -20,77 +25,78 @@ var _speeds: PackedFloat64Array = []
 var _gaps: PackedFloat64Array = []
 
 
-## A ball with its centre here. It touches what is no farther from it than [param slack] pixels.
-func _init(centre: Vec2, radius: float, slack: float) -> void:
-	_centre = centre
-	_radius = radius
-	_slack = slack
+## Begins with this ball and no surface.
+func _init(ball: Ball) -> void:
+	_ball = ball
 
 
 ## Adds a surface by its nearest point and the velocity of that point.
-func add(point: Vec2, velocity: Vec2) -> void:
-	var away := _centre.minus(point)
+func add(point: Vec2, point_velocity: Vec2) -> void:
+	var away := _ball.position.minus(point)
 	var distance := away.length()
 	if distance == 0.0:
 		return
 	var normal := away.divided(distance)
 	_normals.append(normal)
-	_speeds.append(velocity.dot(normal))
-	_gaps.append(distance - _radius)
+	_speeds.append(point_velocity.dot(normal))
+	_gaps.append(distance - _ball.radius)
 
 
-## Whether the surfaces that touch the ball leave it no velocity.
-func is_crushing() -> bool:
+## Finds out when the surfaces crush the ball that are no farther from it than [param reach] pixels.
+## Those that are no farther than [param slack] touch it.
+func find(reach: float, slack: float) -> void:
 	for one in _normals.size():
-		if _gaps[one] > _slack:
-			continue
 		for other in one:
-			if _gaps[other] <= _slack and _are_closing(one, other):
-				return true
+			if maxf(_gaps[one], _gaps[other]) > reach:
+				continue
+			var cross := _normals[one].cross(_normals[other])
+			if absf(cross) < LEAST_ANGLE:
+				if _normals[one].dot(_normals[other]) < 0.0:
+					_weigh([one, other], [1.0, 1.0], slack)
+				continue
 			for third in other:
-				if maxf(_gaps[other], _gaps[third]) <= _slack and _enclose(one, other, third):
-					return true
-	return false
+				if _gaps[third] <= reach:
+					_weigh_three([one, other, third], signf(cross), cross, slack)
 
 
-## Whether one of the surfaces faces the one with this normal, which moves with [param velocity],
-## and both come nearer to each other.
-func faces(normal: Vec2, velocity: Vec2) -> bool:
-	for other in _normals.size():
-		if _are_opposite(normal, _normals[other]) and velocity.dot(normal) + _speeds[other] > 0.0:
-			return true
-	return false
+func _weigh_three(places: PackedInt32Array, side: float, cross: float, slack: float) -> void:
+	var weights: PackedFloat64Array = [
+		side * _normals[places[1]].cross(_normals[places[2]]),
+		side * _normals[places[2]].cross(_normals[places[0]]),
+		side * cross
+	]
+	if minf(weights[0], weights[1]) >= LEAST_ANGLE:
+		_weigh(places, weights, slack)
 
 
-func _are_closing(one: int, other: int) -> bool:
-	if not _are_opposite(_normals[one], _normals[other]):
-		return false
-	return _is_coming(_speeds[one] + _speeds[other])
-
-
-static func _are_opposite(one: Vec2, other: Vec2) -> bool:
-	return absf(one.cross(other)) < LEAST_ANGLE and one.dot(other) < 0.0
-
-
-# The normals with these weights add up to 0; so the speeds, weighted alike, must not be above 0.
-func _enclose(one: int, other: int, third: int) -> bool:
-	var weight := _normals[other].cross(_normals[third])
-	var of_other := _normals[third].cross(_normals[one])
-	var of_third := _normals[one].cross(_normals[other])
-	if weight < 0.0:
-		weight = -weight
-		of_other = -of_other
-		of_third = -of_third
-	if minf(weight, minf(of_other, of_third)) < LEAST_ANGLE:
-		return false
-	return _is_coming(
-		weight * _speeds[one] + of_other * _speeds[other] + of_third * _speeds[third]
-	)
-
-
-# Above 0 by more than rounding.
-func _is_coming(speed: float) -> bool:
+# The surfaces at these places, whose normals add up to 0 with these weights.
+func _weigh(places: PackedInt32Array, weights: PackedFloat64Array, slack: float) -> void:
+	var room := 0.0
+	var speed := 0.0
 	var fastest := 0.0
-	for one in _speeds:
-		fastest = maxf(fastest, absf(one))
-	return speed > 1e-12 * fastest
+	for index in places.size():
+		var gap := _gaps[places[index]]
+		room += weights[index] * (gap if gap > slack else 0.0)
+		speed += weights[index] * _speeds[places[index]]
+		fastest = maxf(fastest, absf(weights[index] * _speeds[places[index]]))
+	# More than rounding.
+	if speed > 1e-12 * fastest and room / speed < seconds:
+		seconds = room / speed
+		is_between_two = places.size() == 2
+		velocity = _velocity_into(places)
+
+
+# The velocity with which the ball touches the first two of these surfaces when it is crushed; between
+# two that are opposite it keeps its velocity along them.
+func _velocity_into(places: PackedInt32Array) -> Vec2:
+	if seconds == 0.0:
+		return _ball.velocity.copy()
+	var one := _normals[places[0]]
+	var speed := _speeds[places[0]] - _gaps[places[0]] / seconds
+	if places.size() == 2:
+		return _ball.velocity.rejection(one).plus(one.scaled(speed))
+	var other := _normals[places[1]]
+	var other_speed := _speeds[places[1]] - _gaps[places[1]] / seconds
+	# v · one = speed and v · other = other_speed.
+	var sum := other.normal().scaled(-speed).plus(one.normal().scaled(other_speed))
+	return sum.divided(one.cross(other))

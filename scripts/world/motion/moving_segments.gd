@@ -8,6 +8,8 @@ extends SegmentGrid
 ## velocities. So each piece of a motion is tried for itself, with the flight as it is when the piece
 ## begins.
 
+# A ball that will be crushed within this time, in seconds, is held when its bounces get too short.
+const _SOON := 0.1
 # After so many pieces of a motion the search ends, and the ball has to look again.
 const _MOST_PIECES := 64
 # The same for a segment that turns, in seconds.
@@ -192,34 +194,34 @@ func first_accelerated_impact(
 
 
 ## See [method SegmentScan.squeeze_of].
-func squeeze_of(
-	place: int, of_ball: Ball, normal: Vec2, is_hurried: bool, wall_points: Array[Vec2]
-) -> Squeeze:
+func squeeze_of(of_ball: Ball, is_hurried: bool, wall_points: Array[Vec2]) -> Squeeze:
 	var at := of_ball.position
+	if not has_motion_near(at.x, at.y, of_ball.radius):
+		return Squeeze.NONE
 	var around := super.places_near(at.x, at.y, of_ball.radius)
-	for other: int in _movers:
-		around.append(other)
+	around.append_array(PackedInt32Array(_movers.keys()))
 	var slack := TOUCH + ROUNDING * (absf(at.x) + absf(at.y))
-	for other in around:
-		slack = maxf(slack, TOUCH + ROUNDING * _way_of(other))
-	var squeeze := BallSqueeze.new(at, of_ball.radius, slack)
-	var moves_near := false
-	for other in around:
-		var point := nearest_point(other, at.x, at.y)
-		squeeze.add(point, velocity_at(other, point))
-		moves_near = moves_near or _movers.has(other)
+	var squeeze := BallSqueeze.new(of_ball)
+	for place in around:
+		var point := nearest_point(place, at.x, at.y)
+		squeeze.add(point, velocity_at(place, point))
+		slack = maxf(slack, TOUCH + ROUNDING * _way_of(place))
 	for point in wall_points:
 		squeeze.add(point, Vec2.zero())
-	if not moves_near:
-		return super.squeeze_of(place, of_ball, normal, is_hurried, wall_points)
-	if squeeze.is_crushing():
-		return Squeeze.CRUSHED
-	if not is_hurried:
-		return Squeeze.NONE
-	var touched := at.minus(normal.scaled(of_ball.radius))
-	return (
-		Squeeze.HELD if squeeze.faces(normal, velocity_at(place, touched)) else Squeeze.SHAKEN
-	)
+	squeeze.find(of_ball.radius if is_hurried else slack, slack)
+	crush_seconds = squeeze.seconds
+	crush_velocity = squeeze.velocity
+	if crush_seconds < _SOON:
+		return Squeeze.HELD if squeeze.is_between_two and crush_seconds > 0.0 else Squeeze.CRUSHED
+	return Squeeze.SHAKEN if is_hurried else Squeeze.NONE
+
+
+## See [method SegmentScan.has_motion_near].
+func has_motion_near(x: float, y: float, radius: float) -> bool:
+	for place: int in _movers:
+		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
+			return true
+	return super.has_motion_near(x, y, radius)
 
 
 ## See [method SegmentScan.pressure_at].
@@ -259,10 +261,15 @@ func _try_pieces(place: int, is_pulled: bool) -> void:
 		return
 	var flight: PackedFloat64Array = [_x, _y, _velocity_x, _velocity_y]
 	var skipped := _skipped
-	var piece := mover.piece
 	var begin := 0.0
+	var piece := mover.piece
+	if mover.seconds_left() < INF:
+		var clear := _time_beside(mover, is_pulled)
+		piece = mover.motion.piece_at(mover.seconds + clear) if clear < INF else piece
+		begin = clear if clear == INF else _begin_of(piece, mover)
+	var last := piece + _MOST_PIECES
 	while begin < time:
-		if piece == mover.piece + _MOST_PIECES:
+		if piece == last:
 			_look_again = minf(_look_again, begin)
 			break
 		if piece > mover.piece:
@@ -273,8 +280,8 @@ func _try_pieces(place: int, is_pulled: bool) -> void:
 		_begin_flight(flight, begin, mover.motion.velocity_of(piece), is_pulled)
 		if _is_met(place, begin, end, is_pulled):
 			break
-		begin = end
 		piece += 1
+		begin = _begin_of(piece, mover)
 	_lay(place, mover.segment_now())
 	_skipped = skipped
 	_x = flight[0]
@@ -294,6 +301,27 @@ func _try_turning(place: int, is_pulled: bool) -> void:
 			_take(place, _turning.time, _turning.feature)
 	elif not _turning.is_gone and longest < time:
 		_look_again = minf(_look_again, longest)
+
+
+# When a piece begins, in seconds of the flight; 0 for one that lasts.
+func _begin_of(piece: int, mover: SegmentMover) -> float:
+	return maxf(mover.motion.piece_begin(piece) - mover.seconds, 0.0)
+
+
+# For how long the ball surely is beside all that the path of a segment covers; INF where it never
+# comes there.
+func _time_beside(mover: SegmentMover, is_pulled: bool) -> float:
+	var away := Vec2.new(_x, _y).minus(mover.given.start.lerped(mover.given.end, 0.5))
+	var reach := 0.5 * mover.given.length() + mover.motion.longest_way() + _radius
+	var clear := away.length() - reach
+	if clear <= 0.0:
+		return 0.0
+	var velocity := Vec2.new(_velocity_x, _velocity_y)
+	var pull := Vec2.new(_pull_x, _pull_y) if is_pulled else Vec2.zero()
+	if minf(away.dot(velocity), minf(away.dot(pull), velocity.dot(pull))) >= 0.0:
+		return INF
+	var speed := velocity.length()
+	return 2.0 * clear / (speed + sqrt(speed * speed + 2.0 * pull.length() * clear))
 
 
 # The flight as it is after so many seconds, seen from what moves with this velocity.

@@ -126,6 +126,14 @@ func velocity_of(piece: int) -> Vec2:
 	return _velocities[piece % _count()]
 
 
+## How far the segment comes from where it was at the time 0, in pixels, at its turning points.
+func longest_way() -> float:
+	var longest := 0.0
+	for way in _ways:
+		longest = maxf(longest, way.length())
+	return longest
+
+
 # A path that is repeated has no piece that begins at its end.
 func _count() -> int:
 	return _begins.size() - (1 if _period < INF else 0)
@@ -136,7 +144,9 @@ static func _problem_of_path(times: PackedFloat64Array, ways: Array[Vec2], repea
 		var sizes := [times.size(), ways.size()]
 		return "A path needs two times or more and a way for each, not %d and %d." % sizes
 	if times[0] != 0.0 or ways[0].length() != 0.0:
-		return "A path begins at 0 s with the way (0, 0), not at %s s with %s." % [times[0], ways[0]]
+		return (
+			"A path begins at 0 s with the way (0, 0), not at %s s with %s." % [times[0], ways[0]]
+		)
 	for place in range(1, times.size()):
 		if not (times[place] > times[place - 1] and times[place] < INF):
 			var values := [times[place - 1], times[place]]

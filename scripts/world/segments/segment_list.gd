@@ -125,6 +125,14 @@ func places_within(x: float, y: float, reach: float) -> PackedInt32Array:
 	return places
 
 
+## The nearest points of the segments that a ball at this point might touch.
+func points_near(x: float, y: float, ball_radius: float) -> Array[Vec2]:
+	var points: Array[Vec2] = []
+	for place in places_near(x, y, ball_radius):
+		points.append(nearest_point(place, x, y))
+	return points
+
+
 ## The places of the segments that a ball at this point might touch, in their order.
 func places_near(_x_now: float, _y_now: float, _ball_radius: float) -> PackedInt32Array:
 	var places: PackedInt32Array = []

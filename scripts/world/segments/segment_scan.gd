@@ -12,8 +12,8 @@ extends SegmentList
 enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
 ## What is around a ball that touches something: it can leave; hurried bounces between surfaces that
-## move would never end; two surfaces come nearer to each other and are about to crush it; it is
-## crushed.
+## move would never end; two opposite surfaces come nearer to each other and are about to crush it;
+## it is crushed after [member crush_seconds].
 enum Squeeze { NONE, SHAKEN, HELD, CRUSHED }
 
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
@@ -35,6 +35,10 @@ var time := INF
 var index := -1
 ## What of the segment is met.
 var feature := Impact.Feature.LINE
+## Seconds until a ball is crushed, and the velocity with which it has room until then, in px/s.
+var crush_seconds := INF
+## See [member crush_seconds].
+var crush_velocity: Vec2
 ## The segment that the ball touches already, or -1: see [method lie_on_line].
 var contact_place := -1
 ## How fast the surfaces of belts run, in px/s from start to end, by the places of their segments.
@@ -98,6 +102,30 @@ func first_accelerated_impact(
 	return index >= 0
 
 
+## Whether a ball under the same acceleration meets one of the round ends of the segment at that place,
+## if this goes on to move as it does now.
+func first_end(
+	place: int,
+	x: float,
+	y: float,
+	velocity_x_now: float,
+	velocity_y_now: float,
+	pull_x: float,
+	pull_y: float,
+	radius: float,
+	horizon: float
+) -> bool:
+	var seen_x := velocity_x_now - velocity_x(place)
+	var seen_y := velocity_y_now - velocity_y(place)
+	_accelerated.set_flight(x, y, seen_x, seen_y, pull_x, pull_y, radius)
+	time = minf(horizon, seconds_left(place))
+	index = -1
+	for end: Impact.Feature in [Impact.Feature.START, Impact.Feature.END]:
+		if _accelerated.with_point(end_x(place, end), end_y(place, end), time):
+			_take(place, _accelerated.time, end)
+	return index >= 0
+
+
 ## Tells before [method first_accelerated_impact] that the ball lies on the line through (x, y) with
 ## the unit normal (up_x, up_y), towards the ball. Then it can meet nothing that does not rise above
 ## the line, such as the end of the next line at a joint.
@@ -155,6 +183,13 @@ func velocity_at(_place: int, _point: Vec2) -> Vec2:
 	return Vec2.zero()
 
 
+## How fast and in which direction the belt of the segment at that place runs, in px/s.
+func belt_velocity(place: int) -> Vec2:
+	if not belts.has(place):
+		return Vec2.zero()
+	return Vec2.new(normal_y(place), -normal_x(place)).scaled(belts[place])
+
+
 ## How fast the segment at that place turns, in rad/s.
 func turn_of(_place: int) -> float:
 	return 0.0
@@ -171,13 +206,11 @@ func pressure_at(_place: int, _centre: Vec2, _velocity: Vec2, _normal: Vec2) -> 
 	return 0.0
 
 
-## What is around a ball that touches the segment at this place, or a wall for less than 0, with this
-## unit normal towards it; [param is_hurried] after many touches one right after the other.
-## [param wall_points] are the nearest points of walls.
-func squeeze_of(
-	_place: int, of_ball: Ball, _normal: Vec2, is_hurried: bool, _wall_points: Array[Vec2]
-) -> Squeeze:
-	if is_hurried and is_near_belt(of_ball.position.x, of_ball.position.y, of_ball.radius):
+## What is around a ball that touches something; [param is_hurried] after many touches one right after
+## the other. [param wall_points] are the nearest points of walls.
+func squeeze_of(of_ball: Ball, is_hurried: bool, _wall_points: Array[Vec2]) -> Squeeze:
+	var at := of_ball.position
+	if is_hurried and is_near_belt(at.x, at.y, of_ball.radius):
 		return Squeeze.SHAKEN
 	return Squeeze.NONE
 
@@ -188,6 +221,11 @@ func is_near_belt(x: float, y: float, radius: float) -> bool:
 		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
 			return true
 	return false
+
+
+## Whether a ball at this point touches a belt or what moves.
+func has_motion_near(x: float, y: float, radius: float) -> bool:
+	return is_near_belt(x, y, radius)
 
 
 # The ball touches nothing.

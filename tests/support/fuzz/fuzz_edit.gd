@@ -15,7 +15,11 @@ enum Kind {
 	BOUNCINESS,
 	WALLS,
 	NO_WALLS,
-	FRICTION
+	FRICTION,
+	STEADY_LINE,
+	LINE_TO_AND_FRO,
+	TURNING_LINE,
+	BELT
 }
 
 ## What it is.
@@ -28,7 +32,8 @@ var is_at_event := false
 var place := 0
 ## A line: its ends. A new ball: place, radius, velocity, mass and spin. A changed ball: how far it
 ## is moved, by what its radius is multiplied, how its velocity is changed. Gravity, C, µ, or both
-## corners of the walls.
+## corners of the walls. A line's velocity; its way and the seconds there and back; its pivot, turn
+## and the pivot's velocity; the speed of its belt.
 var numbers: PackedFloat64Array = []
 
 
@@ -53,7 +58,7 @@ func copy() -> FuzzEdit:
 
 ## Whether its place is that of a line.
 func names_line() -> bool:
-	return kind == Kind.MOVE_LINE or kind == Kind.REMOVE_LINE
+	return kind == Kind.MOVE_LINE or kind == Kind.REMOVE_LINE or kind >= Kind.STEADY_LINE
 
 
 ## Whether its place is that of a ball.
@@ -77,7 +82,20 @@ func problem() -> String:
 			found = WorldLimits.problem_of_walls(_vector(0), _vector(2))
 		Kind.FRICTION:
 			found = Friction.problem_of(numbers[0], WorldLimits.MOST_FRICTION)
+		Kind.STEADY_LINE, Kind.LINE_TO_AND_FRO, Kind.TURNING_LINE:
+			found = motion().problem(FuzzWorld.LARGEST)
 	return found
+
+
+## The motion of a line that begins to move.
+func motion() -> SegmentMotion:
+	match kind:
+		Kind.LINE_TO_AND_FRO:
+			var times: PackedFloat64Array = [0.0, numbers[2], numbers[2] + numbers[3]]
+			return SegmentMotion.along(times, [Vec2.zero(), _vector(0), Vec2.zero()], true)
+		Kind.TURNING_LINE:
+			return SegmentMotion.turning(_vector(0), numbers[2], _vector(3))
+	return SegmentMotion.steady(_vector(0))
 
 
 ## Changes an event world now; "" or the refusal.
@@ -108,6 +126,10 @@ func apply(world: EventWorld) -> String:
 			world.remove_walls()
 		Kind.FRICTION:
 			refusal = world.set_friction(numbers[0])
+		Kind.STEADY_LINE, Kind.LINE_TO_AND_FRO, Kind.TURNING_LINE:
+			refusal = world.set_segment_motion(place, motion())
+		Kind.BELT:
+			refusal = world.set_belt_speed(place, numbers[0])
 	return refusal
 
 
@@ -155,9 +177,10 @@ func _what() -> String:
 				FuzzWorld.list_text(numbers.slice(3))
 			]
 			return "%s: moved by %s, radius times %s, velocity plus %s" % parts
-		Kind.GRAVITY, Kind.BOUNCINESS, Kind.FRICTION:
+		Kind.NO_WALLS, Kind.REMOVE_LINE, Kind.REMOVE_BALL:
+			return _name()
+		_:
 			return "%s: %s" % [_name(), FuzzWorld.list_text(numbers)]
-	return _name()
 
 
 # Such as "move line 2".

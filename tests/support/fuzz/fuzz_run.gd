@@ -42,6 +42,7 @@ static func all_kinds() -> Array[FuzzKind]:
 		CircleTimingKind.new(),
 		TurningTimingKind.new(),
 		FrictionKind.new(),
+		MovingKind.new(),
 	]
 
 

@@ -70,7 +70,7 @@ func _problem_of_inside(stepped: SteppedWorld) -> String:
 
 
 func _is_elastic(stepped: SteppedWorld) -> bool:
-	return stepped.surroundings.bounciness > BallSupport.NEARLY_ELASTIC
+	return stepped.surroundings.bounciness > LastBounces.NEARLY_ELASTIC
 
 
 func _has_room(world: FuzzWorld, stepped: SteppedWorld) -> bool:

@@ -71,7 +71,7 @@ func ball_places() -> PackedInt32Array:
 
 ## The lines, in the order of their places.
 func lines() -> Array[LineSegment]:
-	if _lines_of != _contents:
+	if _lines_of != _contents or _moves:
 		_lines_of = _contents
 		_lines.clear()
 		for place: int in line_places():
