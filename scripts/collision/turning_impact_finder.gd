@@ -1,7 +1,7 @@
 class_name TurningImpactFinder
 extends RefCounted
-## The first impact of a ball, in straight flight or under gravity, with a segment that turns about a
-## pivot.
+## The first impact of a ball, in straight flight or under gravity, with a segment that turns about
+## a pivot.
 ##
 ## There is no formula for the time. Seen from the segment the ball flies on a spiral, and the gap
 ## between both is looked at again and again. The gap cannot bend towards 0 by more than a known
@@ -26,7 +26,8 @@ var normal: Vec2
 var arm: Vec2
 ## Which part of the segment is touched.
 var feature := Impact.Feature.LINE
-## After a call that returned false: whether the ball never meets the segment, however long it flies.
+## After a call that returned false: whether the ball never meets the segment, however long it
+## flies.
 var is_gone := false
 
 # All from the pivot: the ball's centre and its velocity, and the segment, at the time 0.
@@ -131,7 +132,8 @@ func _set_up(ball: Ball, turning: TurningSegment) -> void:
 	_pull = Vec2.zero()
 
 
-# Whether the ball is beyond what the segment reaches, and gets farther away from the pivot for ever.
+# Whether the ball is beyond what the segment reaches, and gets farther away from the pivot for
+# ever.
 func _leaves_for_good(reach: float) -> bool:
 	var way := _way()
 	var velocity := _velocity_now()

@@ -33,7 +33,8 @@ func test_random_worlds_of_each_kind_hold(
 			["edits", 150],
 			["fast_paths", 250],
 			["piles", 40],
-			["friction", 200]
+			["friction", 200],
+			["moving", 60]
 		]
 	)
 ) -> void:

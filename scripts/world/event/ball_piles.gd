@@ -50,8 +50,8 @@ const _LEAST_ANGLE := 1e-6
 
 ## What counts as slow: up to this speed, in px/s; 0 where nothing comes to lie in piles.
 var slow_speed := 0.0
-## For how long the ball of the last [method is_hurried] has flown since it touched the same surface,
-## in seconds; INF where it has touched something else.
+## For how long the ball of the last [method is_hurried] has flown since it touched the same
+## surface, in seconds; INF where it has touched something else.
 var since_last_touch := INF
 
 # C, 0..1.

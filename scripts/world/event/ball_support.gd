@@ -57,7 +57,9 @@ func _is_held_by_two(index: int) -> bool:
 	var centre := Vec2.new(_x[index], _y[index])
 	var surfaces := TwoSurfaces.new(Vec2.new(_normal_x, _normal_y), _gravity_x, _gravity_y)
 	var tilts := _spins.tilts(index, _least_squared_speed)
-	_pressure = surfaces.pressure_among(_points_around(index), centre, _radius[index], tilts)
+	_pressure = surfaces.pressure_among(
+		_segments.points_near(_x[index], _y[index], _radius[index]), centre, _radius[index], tilts
+	)
 	return _pressure >= 0.0
 
 
@@ -131,7 +133,8 @@ func _is_held_in_pile(index: int) -> bool:
 	if _piles.has_been_slow(index, time, BallPiles.CREEP_TIME):
 		return true
 	var gravity := Vec2.new(_gravity_x, _gravity_y)
-	return _piles.is_held(index, positions(), _points_around(index), gravity)
+	var points := _segments.points_near(position_x(index), position_y(index), _radius[index])
+	return _piles.is_held(index, positions(), points, gravity)
 
 
 # Only lying until a push, with INF, is an event.
@@ -358,14 +361,13 @@ func _roll(index: int, place: int, feature: Impact.Feature) -> void:
 # Whether the ball, which slides round the point (x, y), is over a line that begins there, and moves
 # along it: from now on it slides on this line.
 func _comes_onto_line(index: int, x: float, y: float) -> bool:
+	var centre := Vec2.new(_x[index] - x, _y[index] - y)
+	var velocity_now := Vec2.new(_velocity_x[index], _velocity_y[index])
 	for place in _lines_at(index, x, y):
 		var away := SegmentEnds.direction_from(_segments, place, x, y)
-		var over := away.x * (_x[index] - x) + away.y * (_y[index] - y)
-		if (
-			over >= -_seam(index)
-			and over <= _segments.length(place) + _seam(index)
-			and away.x * _velocity_x[index] + away.y * _velocity_y[index] > 0.0
-		):
+		var over := away.dot(centre)
+		var is_over := over >= -_seam(index) and over <= _segments.length(place) + _seam(index)
+		if is_over and away.dot(velocity_now) > 0.0:
 			_find_normal(index, place)
 			if _gravity_x * _normal_x + _gravity_y * _normal_y < 0.0:
 				_put_on(index, place)

@@ -74,7 +74,6 @@ func _go_on(index: int, kind: int) -> void:
 		_bounce(index)
 
 
-# A ball touches a wall or a segment.
 func _bounce(index: int) -> void:
 	impacts += 1
 	var surface := _touched[index]
@@ -174,7 +173,9 @@ func _reflect(index: int, surface: int, approach: float, pressure: float) -> flo
 	speed = maxf(speed, _frame.least_speed)
 	_velocity_x[index] += (approach + speed) * _normal_x
 	_velocity_y[index] += (approach + speed) * _normal_y
-	if _bounciness == 1.0 and surface >= 0 and _is_weightless():
+	if not _frame.can_rest:  # A hop may be faster than the approach.
+		_lasting_speed[index] = NAN
+	elif _bounciness == 1.0 and surface >= 0 and _is_weightless():
 		if is_nan(_lasting_speed[index]):
 			_lasting_speed[index] = speed_squared
 		_keep_speed(index, _lasting_speed[index])
@@ -293,7 +294,6 @@ func _bounce_between_walls(index: int, target: float, target_low: float) -> void
 	_queue.change(index, event_time, event_low)
 
 
-# Two balls meet.
 func _collide(one: int, other: int) -> void:
 	if _takes_short_ways and _uses_cells and _bounciness == 1.0 and not keeps_events:
 		_collide_fast(one, other)
@@ -398,8 +398,8 @@ func _exchange(one: int, other: int) -> void:
 	var pull_y := _pull_y[one] - _pull_y[other]
 	if pull_x != 0.0 or pull_y != 0.0:
 		var around := velocity_x * _normal_y - velocity_y * _normal_x
-		var outwards := around * around / (_radius[one] + _radius[other])
-		var pressure := -(pull_x * _normal_x + pull_y * _normal_y) - outwards
+		var pressure := -(pull_x * _normal_x + pull_y * _normal_y)
+		pressure -= around * around / (_radius[one] + _radius[other])
 		approach = maxf(approach, 0.0)
 		speed = BallPiles.hop_speed(speed, approach, pressure)
 	if _bounciness < 1.0:
@@ -424,7 +424,7 @@ func _exchange(one: int, other: int) -> void:
 func _leave_support(index: int) -> void:
 	_left_surface[index] = NOTHING
 	var surface := _support[index]
-	if surface == NOTHING or surface == ON_BALLS:
+	if surface == NOTHING or surface <= ON_BALLS:
 		return
 	_touched_feature[index] = _rolled_end[index]
 	if surface >= 0 and _rolled_end[index] == Impact.Feature.LINE:
@@ -458,39 +458,27 @@ func _take_push(index: int, surface: int) -> void:
 # Where lines move: whether a ball that was foreseen to touch this surface does so. It may have to
 # look again only.
 func _really_touches(index: int, surface: int) -> bool:
+	if surface == NOTHING or _is_weightless():
+		_left_surface[index] = NOTHING
 	if surface == NOTHING:
 		impacts -= 1
-		_left_surface[index] = NOTHING
 		return false
-	if _is_weightless():
-		_left_surface[index] = NOTHING
 	for one in _wake(index):
 		_forecast(one)
-	var is_hurried := _piles.is_hurried_now(index)
-	var squeeze := _segments.squeeze_of(ball(index), is_hurried, _wall_points(position(index)))
-	if squeeze == SegmentScan.Squeeze.HELD and not _is_line(index, surface):
-		squeeze = SegmentScan.Squeeze.CRUSHED
-	match squeeze:
-		SegmentScan.Squeeze.SHAKEN:
-			_frame.shake()
-		SegmentScan.Squeeze.HELD:
-			_find_contact(index, surface)
-			_enter_frame(index, surface)
-			_lay_on(index, surface)
-			_leave_frame(index)
-		SegmentScan.Squeeze.CRUSHED:
-			_hold(index, surface)
-	return squeeze <= SegmentScan.Squeeze.SHAKEN
+	var squeeze := _segments.squeeze_of(ball(index), _piles.is_hurried_now(index))
+	if squeeze == SegmentScan.Squeeze.SHAKEN:
+		_frame.shake()
+	elif squeeze == SegmentScan.Squeeze.CRUSHED:
+		_hold(index, surface)
+	return squeeze != SegmentScan.Squeeze.CRUSHED
 
 
 # What is around a ball, which touches this surface, crushes it after a while, or now.
 func _hold(index: int, surface: int) -> void:
 	_set_free(index)
-	_pull_x[index] = 0.0
-	_pull_y[index] = 0.0
+	_lie_on(index, CRUSHED)
 	_velocity_x[index] = _segments.crush_velocity.x
 	_velocity_y[index] = _segments.crush_velocity.y
-	_support[index] = CRUSHED
 	_left_surface[index] = surface
 	_piles.lie_until(index, time + _segments.crush_seconds)
 
@@ -501,18 +489,7 @@ func _crush(index: int) -> void:
 	var surface := _left_surface[index]
 	_find_contact(index, surface)
 	_end_event(index, surface, _begin_event(index), WorldEvent.Kind.CRUSHED)
-	_halt(index)
-	_is_there[index] = 0
-	_balls_there -= 1
-	if _uses_cells:
-		_cells.remove(index)
-		_cross_time[index] = INF
-	_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
-
-
-# Whether a ball that touches this surface touches a straight line, and not a cap.
-func _is_line(index: int, surface: int) -> bool:
-	return surface < NOTHING or _touched_feature[index] == Impact.Feature.LINE
+	_take_out(index)
 
 
 # The unit normal of what a ball touches, towards the ball.
@@ -521,8 +498,3 @@ func _find_contact(index: int, surface: int) -> void:
 		_find_normal(index, surface)
 	else:
 		_find_cap_normal(index, surface, _touched_feature[index] as Impact.Feature)
-
-
-# Whether a ball has met another one so recently that it loses no speed now: see BallPiles.PILE_UP.
-func _is_pile_up(index: int) -> bool:
-	return time - _last_meeting[index] < BallPiles.PILE_UP

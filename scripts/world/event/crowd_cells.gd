@@ -68,8 +68,8 @@ func with_pushes(
 	return self
 
 
-## Lays the cells out for the balls of the world, which are at these [param places], x and y one after
-## the other, where [param is_there] is 1.
+## Lays the cells out for the balls of the world, which are at these [param places], x and y one
+## after the other, where [param is_there] is 1.
 func put_all(places: PackedFloat64Array, is_there: PackedByteArray) -> void:
 	# Removed balls count for nothing: the world is as one without them.
 	lay_out(BallCells.size_for(places, _radius, is_there), is_there.count(1))

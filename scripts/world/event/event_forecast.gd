@@ -236,8 +236,9 @@ func _forecast_touch(index: int) -> void:
 			_forecast_end_of_lying(index, _piles.end_of_lying(index) - _start[index])
 			return
 		if _support[index] == CRUSHED:
-			var seconds := _piles.end_of_lying(index) - _start[index]
-			_note_touch(index, maxf(seconds, 0.0), CRUSHED, CRUSH)
+			_note_touch(
+				index, maxf(_piles.end_of_lying(index) - _start[index], 0.0), CRUSHED, CRUSH
+			)
 			return
 		if _spins.slip_ends[index] < INF:
 			_forecast_accelerated_touch(index)
@@ -339,8 +340,7 @@ func _forecast_accelerated_touch(index: int) -> void:
 		):
 			_take(_segments.time, _segments.index, TOUCH)
 			_touched_feature[index] = _segments.feature
-			if _segments.index == skipped:
-				# It comes back after the segment has begun to move otherwise.
+			if _segments.index == skipped:  # Which has begun to move otherwise.
 				_left_surface[index] = NOTHING
 	_note_touch(index, _seconds, _surface, _kind)
 
@@ -352,33 +352,29 @@ func _take(seconds: float, surface: int, kind: int) -> void:
 
 
 func _forecast_wall(index: int, wall: int) -> void:
-	var radius := _radius[index]
-	var height := 0.0
-	var speed := _velocity_x[index]
-	var pull := _pull_x[index]
-	match wall:
-		LEFT_WALL:
-			height = _x[index] - radius - _left_x
-		RIGHT_WALL:
-			height = _right_x - radius - _x[index]
-		TOP_WALL:
-			height = _y[index] - radius - _top_y
-		BOTTOM_WALL:
-			height = _bottom_y - radius - _y[index]
-	if wall == TOP_WALL or wall == BOTTOM_WALL:
-		speed = _velocity_y[index]
-		pull = _pull_y[index]
-	if wall == RIGHT_WALL or wall == BOTTOM_WALL:
-		speed = -speed
-		pull = -pull
 	if wall == _support[index]:
 		return
+	_find_normal(index, wall)
+	var speed := _velocity_x[index] * _normal_x + _velocity_y[index] * _normal_y
+	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
+	var height := _gap_to_wall(index, wall)
 	if wall == _left_surface[index]:
 		height = 0.0
 		speed = _left_speed[index]
 	var seconds := FreeFlight.time_to_fall(height, speed, pull)
 	if seconds < _seconds:
 		_take(seconds, wall, TOUCH)
+
+
+func _gap_to_wall(index: int, wall: int) -> float:
+	match wall:
+		LEFT_WALL:
+			return _x[index] - _radius[index] - _left_x
+		RIGHT_WALL:
+			return _right_x - _radius[index] - _x[index]
+		TOP_WALL:
+			return _y[index] - _radius[index] - _top_y
+	return _bottom_y - _radius[index] - _y[index]
 
 
 # Tells the segments what the ball touches already: what it lies on, or the end of a segment that it
@@ -427,11 +423,9 @@ func _forecast_return_to_cap(index: int, place: int) -> void:
 	var feature := _left_feature[index] as Impact.Feature
 	var x := _x[index] - _segments.end_x(place, feature)
 	var y := _y[index] - _segments.end_y(place, feature)
-	var speed_x := _velocity_x[index] - _segments.velocity_x(place)
-	var speed_y := _velocity_y[index] - _segments.velocity_y(place)
-	var seconds := FreeFlight.time_back_to_circle(
-		x, y, speed_x, speed_y, _pull_x[index], _pull_y[index]
-	)
+	var vx := _velocity_x[index] - _segments.velocity_x(place)
+	var vy := _velocity_y[index] - _segments.velocity_y(place)
+	var seconds := FreeFlight.time_back_to_circle(x, y, vx, vy, _pull_x[index], _pull_y[index])
 	if seconds < _seconds and seconds <= _segments.seconds_left(place):
 		_touched_feature[index] = feature
 		_take(seconds, place, TOUCH)
@@ -473,6 +467,11 @@ func _forecast_slide(index: int, place: int) -> void:
 		_take(minf(to_start, to_end), place, SLIDE_OFF)
 
 
+# Whether a ball that touches this surface touches a straight line, and not a cap.
+func _is_line(index: int, surface: int) -> bool:
+	return surface < NOTHING or _touched_feature[index] == Impact.Feature.LINE
+
+
 # The unit normal of a cap, towards the ball.
 func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	var dx := _x[index] - _segments.end_x(place, feature)
@@ -482,22 +481,15 @@ func _find_cap_normal(index: int, place: int, feature: Impact.Feature) -> void:
 	_normal_y = dy / distance if distance > 0.0 else 0.0
 
 
-# The nearest points of the walls.
-func _wall_points(to: Vec2) -> Array[Vec2]:
-	if not _has_walls:
-		return []
-	var points: Array[Vec2] = [Vec2.new(_left_x, to.y), Vec2.new(_right_x, to.y)]
-	points.append_array([Vec2.new(to.x, _top_y), Vec2.new(to.x, _bottom_y)])
-	return points
-
-
-# The nearest points of the walls and of all segments nearby.
-func _points_around(index: int) -> Array[Vec2]:
-	var x := position_x(index)
-	var y := position_y(index)
-	var points := _wall_points(Vec2.new(x, y))
-	points.append_array(_segments.points_near(x, y, _radius[index]))
-	return points
+# A ball is out of the world, and nothing happens to it any more.
+func _take_out(index: int) -> void:
+	_halt(index)
+	_is_there[index] = 0
+	_balls_there -= 1
+	if _uses_cells:
+		_cells.remove(index)
+		_cross_time[index] = INF
+	_set_event(index, INF, 0.0, LOOK_AGAIN, NOTHING)
 
 
 func _lay_out_cells() -> void:

@@ -34,7 +34,7 @@ const NOTHING := -1
 ## Stands for the surface of a ball that has been crushed.
 const CRUSHED := ON_BALLS - 1
 
-#region What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
+# === What a user of the world reads and sets. EventWorld writes it; BounceLaws counts impacts.
 
 ## Seconds since the start. Read it; [method EventWorld.advance] changes it.
 var time := 0.0
@@ -65,12 +65,10 @@ var events: Array[WorldEvent]:
 	set(value):
 		_log.events = value
 
-#endregion
-
 # The classes that extend this one use these fields.
 @warning_ignore_start("unused_private_class_variable")
 
-#region The time and the counts. EventWorld writes them.
+# === The time and the counts. EventWorld writes them.
 
 # The second part of [member time].
 var _time_low := 0.0
@@ -85,9 +83,7 @@ var _has_changed := false
 # The number of changes of segments, walls, gravity, bounciness and friction; a snapshot notes it.
 var _contents := 0
 
-#endregion
-
-#region What the balls fly among. EventWorld writes it.
+# === What the balls fly among. EventWorld writes it.
 
 var _segments: SegmentScan = SegmentGrid.new()
 # The walls, in pixels; they mean nothing without [member _has_walls].
@@ -113,9 +109,7 @@ var _moves := false
 # With this squared speed a ball rises by BallSupport.REST_HEIGHT, in (px/s)².
 var _least_squared_speed := 0.0
 
-#endregion
-
-#region The balls. EventWorld puts them in and takes them out.
+# === The balls. EventWorld puts them in and takes them out.
 
 # 1 where there is a ball: a removed one leaves its place empty.
 var _is_there: PackedByteArray = []
@@ -128,9 +122,7 @@ var _is_alone := false
 var _radius: PackedFloat64Array = []
 var _mass: PackedFloat64Array = []
 
-#endregion
-
-#region The present flight of each ball. EventWorld, BallSupport and BounceLaws write it.
+# === The present flight of each ball. EventWorld, BallSupport and BounceLaws write it.
 
 # When it began, in seconds. In the future only for a ball whose last, tiny bounces are being summed
 # up: see BallSupport._rest.
@@ -146,9 +138,7 @@ var _velocity_y: PackedFloat64Array = []
 var _pull_x: PackedFloat64Array = []
 var _pull_y: PackedFloat64Array = []
 
-#endregion
-
-#region What EventWorld.moment has found. EventWorld writes it.
+# === What EventWorld.moment has found. EventWorld writes it.
 
 # See [member places]. It is never assigned anew, because callers hold it.
 var _places: PackedFloat64Array = []
@@ -162,9 +152,7 @@ var _lone_y := 0.0
 var _lone_velocity_x := 0.0
 var _lone_velocity_y := 0.0
 
-#endregion
-
-#region What a ball lies on, and what it has just left. BallSupport and BounceLaws write it.
+# === What a ball lies on, and what it has just left. BallSupport and BounceLaws write it.
 
 # The surface on which a ball lies or slides, or NOTHING.
 var _support: PackedInt32Array = []
@@ -196,9 +184,7 @@ var _spins := BallSpins.new(
 	_radius, _mass, _velocity_x, _velocity_y, _pull_x, _pull_y, _start, _start_low
 )
 
-#endregion
-
-#region What comes next for each ball. EventForecast writes it.
+# === What comes next for each ball. EventForecast writes it.
 
 # The next touch of a surface, as if there were no other balls: when (seconds; INF for never), which
 # kind of event, which surface, and what of a segment (Impact.Feature).
@@ -228,9 +214,7 @@ var _uses_cells := false
 # What has happened. EventWorld and BounceLaws write it through the log.
 var _log := EventLog.new()
 
-#endregion
-
-#region Notes of one calculation. They mean nothing when it is over.
+# === Notes of one calculation. They mean nothing when it is over.
 
 # The unit normal of the surface that is looked at, towards the ball.
 var _normal_x := 0.0
@@ -253,8 +237,6 @@ var _asker_pull_y := 0.0
 var _asker_radius := 0.0
 var _partner := NOTHING
 var _partner_seconds := INF
-
-#endregion
 
 @warning_ignore_restore("unused_private_class_variable")
 
@@ -448,6 +430,25 @@ func _find_normal(index: int, surface: int) -> void:
 			if side < 0.0:
 				_normal_x = -_normal_x
 				_normal_y = -_normal_y
+
+
+# See EventWorld.moment.
+func _note_lone_flight() -> void:
+	_lone_until = _quiet_until
+	_lone_start = _start[0]
+	_lone_start_low = _start_low[0]
+	_lone_x = _x[0]
+	_lone_y = _y[0]
+	_lone_velocity_x = _velocity_x[0]
+	_lone_velocity_y = _velocity_y[0]
+	var seconds := (time - _lone_start) + (_time_low - _lone_start_low)
+	_places[0] = _lone_x + _lone_velocity_x * seconds
+	_places[1] = _lone_y + _lone_velocity_y * seconds
+
+
+# Whether a ball has met another one so recently that it loses no speed now: see BallPiles.PILE_UP.
+func _is_pile_up(index: int) -> bool:
+	return time - _last_meeting[index] < BallPiles.PILE_UP
 
 
 func _squared_speed(index: int) -> float:

@@ -5,10 +5,9 @@ extends BounceLaws
 ## the frame, and is as exact for one long step as for many short ones.
 ##
 ## Segments work from both sides and have round ends, their caps; balls collide with each other; one
-## gravity, bounciness and friction holds for all. This file holds what a user of the world calls:
-## putting things in, changing and removing them while time goes on, letting time pass. After a
-## change the world is as one that is built now: all flights begin anew, what overlaps is pushed
-## out. Where a ball is now is answered by [EventState]; docs/event_world.md says where each law is.
+## gravity, bounciness and friction holds for all. After a change the world is as one that is built
+## now: all flights begin anew, what overlaps is pushed out. Where a ball is now is answered by
+## [EventState]; docs/event_world.md says where each law is.
 ##
 ## What cannot be taken is refused: each such method returns "" or one sentence with the value and
 ## what is allowed, and then nothing has changed.
@@ -167,8 +166,6 @@ func set_belt_speed(place: int, speed: float) -> String:
 		problem = WorldLimits.problem_of_speed(speed)
 	if not problem:
 		_segments.belts[place] = speed
-		if speed == 0.0:
-			_segments.belts.erase(place)
 		_change_contents()
 	return problem
 
@@ -329,6 +326,9 @@ func _change() -> void:
 # After a change of segments, walls, gravity, bounciness or friction.
 func _change_contents() -> void:
 	_contents += 1
+	_segments.corners = []
+	if _has_walls:
+		_segments.corners = [Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y)]
 	_change()
 
 
@@ -365,14 +365,12 @@ func _put_ball(index: int, new_ball: Ball) -> void:
 	_change()
 
 
-# Pushes every ball out of what it overlaps.
 func _push_out_all() -> void:
 	for index: int in _balls():
 		_push_out(index, {})
 
 
-# Pushes the balls out of the segment at that place. A ball with a side of the segment in `sides`
-# belongs there.
+# A ball with a side of the segment at that place in `sides` belongs there.
 func _push_out_of(place: int, sides: Dictionary[int, float] = {}) -> void:
 	for index: int in _balls():
 		var gap := _segments.distance_to_segment(place, position_x(index), position_y(index))
@@ -384,10 +382,7 @@ func _push_out_of(place: int, sides: Dictionary[int, float] = {}) -> void:
 # Pushes a ball out of what it overlaps: see Overlaps.
 func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 	var from := position(index)
-	var corners: Array[Vec2] = []
-	if _has_walls:
-		corners = [Vec2.new(_left_x, _top_y), Vec2.new(_right_x, _bottom_y)]
-	var to := Overlaps.place_outside(from, _radius[index], _segments, sides, corners)
+	var to := Overlaps.place_outside(from, _radius[index], _segments, sides)
 	if to.x != from.x or to.y != from.y:
 		_restart(index)
 		_set_free(index)
@@ -398,7 +393,7 @@ func _push_out(index: int, sides: Dictionary[int, float]) -> void:
 			_push_out(index, {})
 
 
-# Copies of all balls as they are now, by their places.
+# By their places.
 func _balls() -> Dictionary[int, Ball]:
 	var found: Dictionary[int, Ball] = {}
 	for index in ball_count():
@@ -420,7 +415,6 @@ func _advance_through_events(seconds: float) -> String:
 
 # Where an event comes first, or the flight of a lone ball is not noted.
 func _go_to_moment(target: float) -> void:
-	# Nothing happens until then: most frames of a few balls end here.
 	if target < _quiet_until and target >= time:
 		time = target
 		_time_low = 0.0
@@ -432,20 +426,6 @@ func _go_to_moment(target: float) -> void:
 		_note_lone_flight()
 	else:
 		_write_places(_places)
-
-
-# See EventWorld.moment.
-func _note_lone_flight() -> void:
-	_lone_until = _quiet_until
-	_lone_start = _start[0]
-	_lone_start_low = _start_low[0]
-	_lone_x = _x[0]
-	_lone_y = _y[0]
-	_lone_velocity_x = _velocity_x[0]
-	_lone_velocity_y = _velocity_y[0]
-	var seconds := (time - _lone_start) + (_time_low - _lone_start_low)
-	_places[0] = _lone_x + _lone_velocity_x * seconds
-	_places[1] = _lone_y + _lone_velocity_y * seconds
 
 
 func _advance_to_event(target: float) -> String:
@@ -484,7 +464,7 @@ func _advance_to(target: float, low: float) -> String:
 	return ""
 
 
-# A new second begins where the old one is over; within one there are too many.
+# A new second begins where the old one is over; within one there are too many impacts.
 func _problem_of_count() -> String:
 	if time >= _count_from + 1.0:
 		_count_again()

@@ -1,8 +1,8 @@
 class_name LastBounces
 extends RefCounted
-## When the bounces of a ball that gravity presses on a surface are over. A ball that leaves with the
-## speed v along the normal, and is pressed back with the acceleration p, is back after 2 v / p; all
-## bounces together, of which there are infinitely many, take 2 v / (p (1 - C)).
+## When the bounces of a ball that gravity presses on a surface are over. A ball that leaves with
+## the speed v along the normal, and is pressed back with the acceleration p, is back after 2 v / p;
+## all bounces together, of which there are infinitely many, take 2 v / (p (1 - C)).
 
 ## A ball whose remaining bounces on a line would all be over within this time, in seconds, lies on
 ## the line from the end of the last one.

@@ -5,14 +5,9 @@ extends RefCounted
 
 
 ## Where a ball with its centre here is pushed to. [param sides] says on which side of a segment the
-## ball belongs, where that is not the side of its centre; [param corners] are those of the walls, at
-## the upper left and the lower right, or none.
+## ball belongs, where that is not the side of its centre.
 static func place_outside(
-	from: Vec2,
-	radius: float,
-	segments: SegmentScan,
-	sides: Dictionary[int, float],
-	corners: Array[Vec2]
+	from: Vec2, radius: float, segments: SegmentScan, sides: Dictionary[int, float]
 ) -> Vec2:
 	var push := PushOut.new(from, radius, SegmentEnds.seam_at(from.x, from.y))
 	for place: int in sides:
@@ -20,8 +15,8 @@ static func place_outside(
 	for place in segments.places_within(from.x, from.y, 3.0 * radius):
 		if not sides.has(place):
 			push.add_line(segments.segment(place))
-	if corners:
-		push.add_walls(corners[0], corners[1])
+	if segments.corners:
+		push.add_walls(segments.corners[0], segments.corners[1])
 	return push.position()
 
 

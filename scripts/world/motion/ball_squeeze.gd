@@ -14,8 +14,6 @@ const LEAST_ANGLE := 1e-6
 var seconds := INF
 ## With this velocity the ball has room until then, in px/s.
 var velocity: Vec2
-## Whether two surfaces crush it that are opposite to each other, and not three.
-var is_between_two := false
 
 var _ball: Ball
 # Of each surface: its normal, how fast it comes along that (px/s), and how far it is from touching
@@ -82,12 +80,11 @@ func _weigh(places: PackedInt32Array, weights: PackedFloat64Array, slack: float)
 	# More than rounding.
 	if speed > 1e-12 * fastest and room / speed < seconds:
 		seconds = room / speed
-		is_between_two = places.size() == 2
 		velocity = _velocity_into(places)
 
 
-# The velocity with which the ball touches the first two of these surfaces when it is crushed; between
-# two that are opposite it keeps its velocity along them.
+# The velocity with which the ball touches the first two of these surfaces when it is crushed;
+# between two that are opposite it keeps its velocity along them.
 func _velocity_into(places: PackedInt32Array) -> Vec2:
 	if seconds == 0.0:
 		return _ball.velocity.copy()

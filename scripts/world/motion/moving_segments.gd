@@ -5,8 +5,8 @@ extends SegmentGrid
 ## [method go_to].
 ##
 ## Seen from a segment with a constant velocity a ball flies as ever, with the difference of both
-## velocities. So each piece of a motion is tried for itself, with the flight as it is when the piece
-## begins.
+## velocities. So each piece of a motion is tried for itself, with the flight as it is when the
+## piece begins.
 
 # A ball that will be crushed within this time, in seconds, is held when its bounces get too short.
 const _SOON := 0.1
@@ -194,25 +194,27 @@ func first_accelerated_impact(
 
 
 ## See [method SegmentScan.squeeze_of].
-func squeeze_of(of_ball: Ball, is_hurried: bool, wall_points: Array[Vec2]) -> Squeeze:
+func squeeze_of(of_ball: Ball, is_hurried: bool) -> Squeeze:
 	var at := of_ball.position
 	if not has_motion_near(at.x, at.y, of_ball.radius):
 		return Squeeze.NONE
 	var around := super.places_near(at.x, at.y, of_ball.radius)
 	around.append_array(PackedInt32Array(_movers.keys()))
 	var slack := TOUCH + ROUNDING * (absf(at.x) + absf(at.y))
+	var lasts := _SOON
 	var squeeze := BallSqueeze.new(of_ball)
 	for place in around:
 		var point := nearest_point(place, at.x, at.y)
 		squeeze.add(point, velocity_at(place, point))
+		lasts = minf(lasts, seconds_left(place))
 		slack = maxf(slack, TOUCH + ROUNDING * _way_of(place))
-	for point in wall_points:
+	for point in wall_points(at.x, at.y):
 		squeeze.add(point, Vec2.zero())
 	squeeze.find(of_ball.radius if is_hurried else slack, slack)
 	crush_seconds = squeeze.seconds
 	crush_velocity = squeeze.velocity
-	if crush_seconds < _SOON:
-		return Squeeze.HELD if squeeze.is_between_two and crush_seconds > 0.0 else Squeeze.CRUSHED
+	if crush_seconds == 0.0 or crush_seconds < lasts:
+		return Squeeze.CRUSHED
 	return Squeeze.SHAKEN if is_hurried else Squeeze.NONE
 
 

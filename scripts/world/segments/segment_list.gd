@@ -2,6 +2,10 @@ class_name SegmentList
 extends RefCounted
 ## Segments in packed arrays, each at a place of its own, and where a point is as seen from them.
 
+## The corners of the walls around the segments, at the upper left and the lower right; none where
+## there are no walls.
+var corners: Array[Vec2] = []
+
 var _start_x: PackedFloat64Array = []
 var _start_y: PackedFloat64Array = []
 var _end_x: PackedFloat64Array = []
@@ -125,9 +129,18 @@ func places_within(x: float, y: float, reach: float) -> PackedInt32Array:
 	return places
 
 
-## The nearest points of the segments that a ball at this point might touch.
+## The nearest points of the walls.
+func wall_points(x: float, y: float) -> Array[Vec2]:
+	if corners.is_empty():
+		return []
+	var points: Array[Vec2] = [Vec2.new(corners[0].x, y), Vec2.new(corners[1].x, y)]
+	points.append_array([Vec2.new(x, corners[0].y), Vec2.new(x, corners[1].y)])
+	return points
+
+
+## The nearest points of the walls and of the segments that a ball at this point might touch.
 func points_near(x: float, y: float, ball_radius: float) -> Array[Vec2]:
-	var points: Array[Vec2] = []
+	var points := wall_points(x, y)
 	for place in places_near(x, y, ball_radius):
 		points.append(nearest_point(place, x, y))
 	return points

@@ -12,9 +12,8 @@ extends SegmentList
 enum Contact { NONE, LINE, POINT, LEFT_POINT }
 
 ## What is around a ball that touches something: it can leave; hurried bounces between surfaces that
-## move would never end; two opposite surfaces come nearer to each other and are about to crush it;
-## it is crushed after [member crush_seconds].
-enum Squeeze { NONE, SHAKEN, HELD, CRUSHED }
+## move would never end; it is crushed after [member crush_seconds].
+enum Squeeze { NONE, SHAKEN, CRUSHED }
 
 ## A ball that is no farther than this from touching a line or a cap, in pixels, touches it:
 ## rounding may move it this far.
@@ -102,8 +101,8 @@ func first_accelerated_impact(
 	return index >= 0
 
 
-## Whether a ball under the same acceleration meets one of the round ends of the segment at that place,
-## if this goes on to move as it does now.
+## Whether a ball under the same acceleration meets one of the round ends of the segment at that
+## place, if this goes on to move as it does now.
 func first_end(
 	place: int,
 	x: float,
@@ -155,7 +154,7 @@ func leave_point(x: float, y: float) -> void:
 ## Whether a segment moves, or its surface does. Here all segments rest; scripts/world/motion/ has
 ## those that move, and the next methods are about these.
 func has_motion() -> bool:
-	return not belts.is_empty()
+	return belts.values().any(func(speed: float) -> bool: return speed != 0.0)
 
 
 ## Puts the segments where they are at this time of the world, the sum of two numbers.
@@ -206,9 +205,9 @@ func pressure_at(_place: int, _centre: Vec2, _velocity: Vec2, _normal: Vec2) -> 
 	return 0.0
 
 
-## What is around a ball that touches something; [param is_hurried] after many touches one right after
-## the other. [param wall_points] are the nearest points of walls.
-func squeeze_of(of_ball: Ball, is_hurried: bool, _wall_points: Array[Vec2]) -> Squeeze:
+## What is around a ball that touches something; [param is_hurried] after many touches one right
+## after the other.
+func squeeze_of(of_ball: Ball, is_hurried: bool) -> Squeeze:
 	var at := of_ball.position
 	if is_hurried and is_near_belt(at.x, at.y, of_ball.radius):
 		return Squeeze.SHAKEN
@@ -218,7 +217,7 @@ func squeeze_of(of_ball: Ball, is_hurried: bool, _wall_points: Array[Vec2]) -> S
 ## Whether a ball at this point touches a belt.
 func is_near_belt(x: float, y: float, radius: float) -> bool:
 	for place: int in belts:
-		if distance_to_segment(place, x, y) <= radius + _BELT_GAP:
+		if belts[place] != 0.0 and distance_to_segment(place, x, y) <= radius + _BELT_GAP:
 			return true
 	return false
 

@@ -7,8 +7,11 @@ extends FuzzKind
 
 ## How many steps are the short ones.
 const STEPS := 48
-## In another frame the places are the same up to this, in pixels.
+## In another frame the places are the same up to this, in pixels, or up to [constant FRAME_SHARE]
+## of the largest coordinate: what is hit by a fast line flies far.
 const FRAME_ERROR := 1e-8
+## See [constant FRAME_ERROR].
+const FRAME_SHARE := 1e-10
 ## So many impacts are compared in another frame: after each one the error of a place grows.
 const MOST_IN_FRAME := 3
 
@@ -16,6 +19,8 @@ const MOST_IN_FRAME := 3
 const _ROUNDING := 1e-9
 # px/s.
 const _FAST := 1e5
+# A meeting with a segment that turns takes 1 ms to find.
+const _PATIENCE := 3000
 const _WIND_X := 70.0
 const _WIND_Y := -40.0
 
@@ -70,7 +75,7 @@ func problem_of(world: FuzzWorld) -> String:
 		flight.events.clear()
 		if found:
 			return found
-		if flight.impacts > MOST_IMPACTS:
+		if flight.impacts > _PATIENCE:
 			return ""
 	for index: int in flight.ball_count():
 		_crushed += int(flight.is_crushed(index))
@@ -192,7 +197,10 @@ func _problem_of_event(world: FuzzWorld, flight: WatchedWorld, event: WorldEvent
 			var turn := absf(edit.numbers[2])
 			var arm := event.point.distance_to(Vec2.new(edit.numbers[0], edit.numbers[1])) + radius
 			var pressed := turn * turn * arm + 2.0 * turn * event.velocity_before.length()
-			hop += (pressed + 2.0 * turn * turn * arm) * minf(0.005 / turn, 0.01)
+			hop += (
+				(pressed + 2.0 * turn * turn * arm)
+				* minf(SurfaceFrame.HOP_TURN / turn, BallPiles.LEAST_HOP)
+			)
 	if not least <= hop * hop:
 		return "A push adds an energy of %s." % least
 	return ""
@@ -206,20 +214,21 @@ static func _energy(velocity: Vec2, edge: float) -> float:
 # and without.
 static func _velocities_at(world: FuzzWorld, event: WorldEvent) -> Array[Vec2]:
 	var found: Array[Vec2] = [Vec2.zero()]
-	var belt := Vec2.zero()
 	var line := world.lines[event.other]
+	var speed := 0.0
 	for edit: FuzzEdit in world.edits:
-		if edit.place != event.other:
-			continue
-		if edit.kind == FuzzEdit.Kind.BELT:
-			belt = line.along().normalized().scaled(edit.numbers[0])
+		if edit.place == event.other and edit.kind == FuzzEdit.Kind.BELT:
+			speed = edit.numbers[0]
+	var belt := line.along().normalized().scaled(speed)
+	for edit: FuzzEdit in world.edits:
+		if edit.place != event.other or edit.kind == FuzzEdit.Kind.BELT:
 			continue
 		found.clear()
 		for moment: float in [event.time * (1.0 - 1e-12) - 1e-15, event.time]:
 			var mover := SegmentMover.new(line, edit.motion(), 0.0, 0.0)
 			mover.go_to(maxf(moment, 0.0), 0.0)
 			found.append(mover.velocity_at(event.point))
-			belt = mover.segment_now().along().normalized().scaled(belt.length())
+			belt = mover.segment_now().along().normalized().scaled(speed)
 	for velocity: Vec2 in found.duplicate():
 		found.append(velocity.plus(belt))
 		found.append(velocity.minus(belt))
@@ -265,7 +274,7 @@ func _problem_in_frame(world: FuzzWorld, flight: WatchedWorld, wind: Vec2) -> St
 			continue
 		there.subtract(wind.scaled(world.seconds))
 		var error := there.distance_to(flight.position(index))
-		if not error <= maxf(FRAME_ERROR, 1e-13 * _farthest(flight)):
+		if not error <= maxf(FRAME_ERROR, FRAME_SHARE * _farthest(flight)):
 			return "In a frame that moves a ball is off by %s px." % error
 	return ""
 

@@ -299,3 +299,17 @@ func test_a_ball_on_a_segment_that_turns_hops_and_time_goes_on() -> void:
 				assert_between(gap.distance_to(world.position(0)) - 10.0, -1e-9, 0.08)
 			assert_gt(world.position_x(0), 35.0)
 			assert_lt(world.impacts, 500)
+
+
+# The belt presses the ball on the floor and the floor on the belt, in ever faster touches.
+func test_a_ball_between_a_belt_and_a_floor_hops_and_stays_outside() -> void:
+	var ball := Ball.new(Vec2.new(132.311, 170), 13.9936, Vec2.new(0, 10), 1.0, -1.0)
+	var world := EventWorlds.world([Vector4(118.317, 0, 118.317, 200)], [ball], Vec2.new(0, 600), 0)
+	assert_no_refusal(world.set_friction(1.0))
+	assert_no_refusal(world.set_walls(Vec2.zero(), Vec2.new(300, 200)))
+	assert_no_refusal(world.set_belt_speed(0, 200.0))
+	for step: int in 40:
+		assert_no_refusal(world.advance(0.025))
+		assert_gt(world.position_x(0), 118.317 + 13.9936 - 1e-9)
+		assert_lt(world.position_y(0), 200.0 - 13.9936 + 1e-9)
+	assert_lt(world.impacts, 2000)
