@@ -85,7 +85,7 @@ static func _lecture() -> Array[Part]:
 		Part.new(
 			LabText.translate("Moving objects"),
 			LabText.translate("What balls do to each other and on a slope."),
-			["newton_balls", "collision_friction", "slide_and_roll"]
+			["newton_balls", "collision_friction", "slide_and_roll", "moving_platforms"]
 		),
 		Part.new(
 			LabText.translate("Appendix"),

@@ -25,6 +25,7 @@ const FOLDERS: PackedStringArray = [
 	"l18_newton_balls",
 	"l19_slide_and_roll",
 	"l20_collision_friction",
+	"l21_moving_platforms",
 ]
 
 ## What a lesson is, `%` its folder.

@@ -61,6 +61,8 @@ USES = {
     "collision_friction": Use((254, 282), r"v = \(300, 400\)", r"v = \(200, 400\)", (308, 282)),
     # The end of the line.
     "slide_and_roll": Use((607, 503), r"B = \(48, 36\)", r"B = \(68, 36\)", (687, 503)),
+    # The head of v.
+    "moving_platforms": Use((535, 259), r"v = \(-200, 100\)", r"v = \(-120, 100\)", (575, 259)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.

@@ -48,6 +48,12 @@ const _GOOD: Dictionary[String, Array] = {
 		"velocity=250,0&along=60,-80&two_balls=true&mistake=105",
 		"gravity=900&bounciness=0.8&radius=10&has_friction=false",
 	],
+	"moving_platforms":
+	[
+		"ball=200,0&velocity=-200,0&bounciness=0.5&mistake=102",
+		"kind=1&surface=-192,56,192,-56&surface_speed=348&friction=0.5&from_surface=true",
+		"kind=4&way=200&speed=300&surface_speed=100",
+	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
 	"class_or_value": {"position=1e39,0": "position must be within −1e38..1e38, not 1e39."},
@@ -169,6 +175,14 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"bounciness=1.5": "C must be within 0..1, not 1.5.",
 		"along=0,0": "The surface must be at least 1 px long, not 0.",
 		"velocity=300,-400": "The ball must come to the surface with at least 1 px/s, not −400.",
+	},
+	"moving_platforms":
+	{
+		"kind=5": "kind must be within 0..4, not 5.",
+		"bounciness=2": "C must be within 0..1, not 2.",
+		"ball=-110,0":
+		"At the start the ball's centre must be more than 20 px from the surface, not 10.",
+		"kind=4&speed=80": "The ball must be at least 1 px/s faster than the wall with 90, not 80.",
 	},
 }
 

@@ -12,6 +12,7 @@ const _KEEPING_Y_DOWN: Array[StringName] = [
 	&"timed_shot",
 	&"slide_and_roll",
 	&"collision_friction",
+	&"moving_platforms",
 ]
 
 

@@ -3,7 +3,7 @@ extends LabTest
 
 ## The numbers of the lessons; the game has none.
 const _ORDER: PackedInt32Array = [
-	1, 2, 3, 4, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 0, 18, 20, 19, 5, 12
+	1, 2, 3, 4, 6, 7, 8, 9, 10, 11, 13, 14, 15, 16, 17, 0, 18, 20, 19, 21, 5, 12
 ]
 
 

@@ -26,6 +26,7 @@ const _STARTS: Dictionary[StringName, Array] = {
 	&"newton_balls": ["Board/Drawing/Ball1:head", Vector2(-2.0, -2.0)],
 	&"slide_and_roll": ["Board/Drawing/Line:tail", Vector2(-60.0, -40.0)],
 	&"collision_friction": ["Board/Drawing/VelocityHandle:point", Vector2(-40.0, -100.0)],
+	&"moving_platforms": ["Board/Drawing/VelocityHead:point", Vector2(120.0, -40.0)],
 	&"smallest_lesson": ["Board/V:head", Vector2(1.0, 1.0)],
 }
 

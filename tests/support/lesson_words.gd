@@ -142,6 +142,7 @@ const _WORDS: Dictionary[StringName, Dictionary] = {
 	},
 	&"newton_balls": {words = ["mistake:"], not_shown = ["c₁", "c₂"]},
 	&"slide_and_roll": {words = ["without friction:"]},
+	&"moving_platforms": {words = ["mistake:", "no impact"], not_shown = ["U′", "w"]},
 	&"error_and_time":
 	{
 		words =

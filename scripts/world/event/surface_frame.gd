@@ -11,6 +11,8 @@ extends RefCounted
 ## segment takes to turn by this, in radians.
 const HOP_TURN := 0.02
 
+const _LEAST_SHARE := 1.0 / 2.0 ** 44
+
 ## x of the velocity of the frame, in px/s; 0 while no ball is in it.
 var x := 0.0
 ## y of the velocity.
@@ -78,6 +80,9 @@ func hop_if_short(place: int, since_last_touch: float) -> void:
 	if since_last_touch < seconds:
 		var pressure := _segments.pressure_at(place, _ball.position, _ball.velocity, _normal)
 		least_speed = maxf(least_speed, 0.5 * (pressure - _gravity.dot(_normal)) * seconds)
+		# What is not pressed leaves by more than rounding.
+		var fastest := _ball.velocity.length() + Vec2.new(x, y).length()
+		least_speed = maxf(least_speed, _LEAST_SHARE * fastest)
 
 
 ## At its next touch the ball hops, and does not come to rest.

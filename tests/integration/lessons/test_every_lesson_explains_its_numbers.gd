@@ -7,7 +7,12 @@ const _FRAMES := 600
 const _FEW_FRAMES := 20
 ## Only something moves there, and none of the numbers changes.
 const _KEEPS_ITS_NUMBERS: Array[StringName] = [
-	&"reflection", &"lead_target", &"newton_balls", &"slide_and_roll", &"collision_friction"
+	&"reflection",
+	&"lead_target",
+	&"newton_balls",
+	&"slide_and_roll",
+	&"collision_friction",
+	&"moving_platforms",
 ]
 
 

@@ -140,6 +140,17 @@ const _FIRST_SEEN: Dictionary[StringName, Dictionary] = {
 		"Ledger": 5,
 		"Path": 6,
 	},
+	&"moving_platforms":
+	{
+		"Seen": 1,
+		"SurfaceThen": 1,
+		"Normal": 2,
+		"Bounced": 2,
+		"Leaving": 3,
+		"Added": 3,
+		"Verdict": 3,
+		_TABLE: 4,
+	},
 }
 
 
