@@ -160,17 +160,19 @@ func from_dictionary(stored: Dictionary) -> void:
 
 
 static func _problem_of_approach(wanted_velocity: Vec2, wanted_along: Vec2) -> String:
-	if wanted_along.length() < _SHORTEST:
-		var sentence := LabText.translate("The surface must be at least %s px long, not %s.")
-		return sentence % [_SHORTEST, wanted_along.length()].map(NumberText.short)
-	var tangent := wanted_along.normalized()
-	var approach := -wanted_velocity.dot(Vec2.new(tangent.y, -tangent.x))
+	var length := wanted_along.length()
+	if length < _SHORTEST:
+		return (
+			LabText.translate("The surface must be at least %s px long, not %s.")
+			% [_SHORTEST, length].map(NumberText.short)
+		)
+	var approach := -wanted_velocity.dot(Vec2.new(wanted_along.y, -wanted_along.x)) / length
 	if approach >= SLOWEST:
 		return ""
-	var sentence := LabText.translate(
-		"The ball must come to the surface with at least %s px/s, not %s."
+	return (
+		LabText.translate("The ball must come to the surface with at least %s px/s, not %s.")
+		% [SLOWEST, approach].map(NumberText.short)
 	)
-	return sentence % [SLOWEST, approach].map(NumberText.short)
 
 
 static func _vector(stored: Variant) -> Vec2:

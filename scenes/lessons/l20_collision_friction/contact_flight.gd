@@ -42,8 +42,8 @@ func _init(contact: FrictionContact, gravity: Vec2, friction: float) -> void:
 	start = contact.ball.copy()
 	start.velocity.subtract(came)
 	# Back from the contact: v T less half of what gravity does on the way.
-	var way := contact.ball.velocity.minus(came.scaled(0.5)).scaled(contact_time)
-	start.position.subtract(way)
+	var flown := contact.ball.velocity.minus(came.scaled(0.5)).scaled(contact_time)
+	start.position.subtract(flown)
 	_set_up()
 
 
@@ -80,8 +80,8 @@ func compared_place() -> Vec2:
 ## contact.
 func place_by_formula() -> Vec2:
 	var leaving := _contact.after()[compared_ball()]
-	var way := leaving.velocity.plus(_gravity.scaled(0.5 * compared_after)).scaled(compared_after)
-	return leaving.position.plus(way)
+	var mean := leaving.velocity.plus(_gravity.scaled(0.5 * compared_after))
+	return leaving.position.plus(mean.scaled(compared_after))
 
 
 ## How far both are from each other, in pixels.

@@ -91,6 +91,29 @@ func test_a_wrong_answer_misses_by_more_than_rounding() -> void:
 	assert_almost_eq(flight.miss(), 20.0 * ContactFlight.LONGEST_SIDE, 1e-9)
 
 
+# Straight down on a smooth floor, y at last is 2 (floor - r) - y0 - v T for C = 1: the start, v, r,
+# C and both times count.
+func test_the_condition_of_a_bounce_straight_up_is_known() -> void:
+	var ball := Ball.new(Vec2.zero(), 20.0, Vec2.new(0.0, 400.0))
+	var contact := FrictionContact.new(ball, Vec2.new(1.0, 0.0), 1.0, 0.0)
+	var flight := ContactFlight.new(contact, Vec2.zero(), 0.0)
+	var wanted := 140.0 + 400.0 * 0.6 + 2.0 * 20.0 + 400.0 * 0.3 + 400.0 * 0.6
+	var bound := ContactRounding.off_line(contact, flight, Vec2.zero())
+	assert_almost_eq(bound / ShotCondition.EPSILON, wanted, 1e-3)
+
+
+# Head-on, the ball at rest takes all: x at last is x2 + v T - (x2 - x1 - 2 r).
+func test_the_condition_of_a_ball_that_is_hit_head_on_is_known() -> void:
+	var ball := Ball.new(Vec2.zero(), 20.0, Vec2.new(400.0, 0.0))
+	var other := Ball.new(Vec2.zero(), 20.0)
+	var contact := FrictionContact.new(ball, Vec2.new(0.0, -1.0), 1.0, 0.0, other)
+	var flight := ContactFlight.new(contact, Vec2.zero(), 0.0)
+	# x1 and v, r, C with half of the speed, both times; x2 cancels.
+	var wanted := 140.0 + 400.0 * 0.6 + 2.0 * 20.0 + 200.0 * 0.3 + 400.0 * 0.6
+	var bound := ContactRounding.of_two(contact, flight)
+	assert_almost_eq(bound / ShotCondition.EPSILON, wanted, 1e-3)
+
+
 func test_hops_slip_first_and_then_stick() -> void:
 	var model := CollisionFrictionModel.new()
 	assert_no_refusal(model.take(CollisionFrictionPresets.all()["Hops"]))
