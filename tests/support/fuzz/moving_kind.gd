@@ -7,11 +7,9 @@ extends FuzzKind
 
 ## How many steps are the short ones.
 const STEPS := 48
-## In another frame the places are the same up to this, in pixels, or up to [constant FRAME_SHARE]
-## of the largest coordinate: what is hit by a fast line flies far.
+## In another frame the places are the same up to this, in pixels, and to what a fast line does with
+## its last places: see _frame_error.
 const FRAME_ERROR := 1e-8
-## See [constant FRAME_ERROR].
-const FRAME_SHARE := 1e-10
 ## So many impacts are compared in another frame: after each one the error of a place grows.
 const MOST_IN_FRAME := 3
 
@@ -274,9 +272,26 @@ func _problem_in_frame(world: FuzzWorld, flight: WatchedWorld, wind: Vec2) -> St
 			continue
 		there.subtract(wind.scaled(world.seconds))
 		var error := there.distance_to(flight.position(index))
-		if not error <= maxf(FRAME_ERROR, FRAME_SHARE * _farthest(flight)):
+		if not error <= _frame_error(world, flight):
 			return "In a frame that moves a ball is off by %s px." % error
 	return ""
+
+
+# The last places of a coordinate tilt the normal at a round end by their share of the radius, and
+# what is hit by a line flies off with twice its speed at most.
+static func _frame_error(world: FuzzWorld, flight: WatchedWorld) -> float:
+	var fastest := _fastest(flight)
+	for edit: FuzzEdit in world.edits:
+		if edit.kind == FuzzEdit.Kind.LINE_TO_AND_FRO:
+			var way := Vec2.new(edit.numbers[0], edit.numbers[1]).length()
+			fastest = maxf(fastest, way / minf(edit.numbers[2], edit.numbers[3]))
+		elif edit.kind == FuzzEdit.Kind.STEADY_LINE:
+			fastest = maxf(fastest, Vec2.new(edit.numbers[0], edit.numbers[1]).length())
+	var radius := INF
+	for ball: Ball in world.balls:
+		radius = minf(radius, ball.radius)
+	var tilt := 16.0 * ImpactTable.EPSILON * _farthest(flight) / radius
+	return maxf(FRAME_ERROR, 2.0 * tilt * fastest * world.seconds)
 
 
 # The motion of a line as it is in a frame that moves; null where it has too many turning points.
