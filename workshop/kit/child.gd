@@ -28,7 +28,7 @@ func _init(task: String, folder: String, told := WorkshopReport.new()) -> void:
 	var arguments: PackedStringArray = [
 		"--headless",
 		"--path",
-		ProjectSettings.globalize_path("res://"),
+		ProjectSettings.globalize_path("res:/" + "/"),
 		"--log-file",
 		OS.get_user_data_dir().path_join("workshop_child.log"),
 		"-s",

@@ -1,3 +1,4 @@
+@tool
 class_name WorkshopCode
 extends RefCounted
 ## The text of a student's file: what can be told of it without running it.

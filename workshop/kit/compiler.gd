@@ -4,29 +4,12 @@ extends RefCounted
 ## it does not matter what stands in his files on the disk, nor whether the editor knows his classes
 ## already, and each file sees the others. Only a child may run them, unless they are guarded.
 
-## Where a pack holds the checksums of the answer key, whose text it does not hold. In two parts,
-## because it is no file of the project that an export would look for.
-const PACKED_KEY := "res:/" + "/answer_key.txt"
-
-const _PLACE := "res://workshop/judged.gd"
-const _TEST_PLACE := "res://workshop/judged_test.gd"
+# In two parts, because no export has to look for them.
+const _PLACE := "res:/" + "/workshop/judged.gd"
+const _TEST_PLACE := "res:/" + "/workshop/judged_test.gd"
 # Only GUT itself has this name; its stand-in has a file in the same place.
 const _BY_NAME := r"(?m)^extends[ \t]+GutTest\b"
 const _BY_PLACE := 'extends "res://addons/gut/test.gd"'
-# A body with this many tokens is not written the same way twice by chance.
-const _LONG := 40
-const _KEY_FILES: PackedStringArray = [
-	"res://scripts/vec2.gd",
-	"res://scripts/collision/segment_impact.gd",
-	"res://scripts/collision/cap_impact.gd",
-	"res://scripts/collision/point_of_impact.gd",
-	"res://scripts/collision/straight_impact_finder.gd",
-	"res://scripts/aiming/lead_aim.gd",
-	"res://scripts/aiming/ballistic_aim.gd",
-	"res://scripts/aiming/bank_aim.gd",
-]
-
-static var _shapes_of_key: Dictionary[String, bool] = {}
 
 ## Whether what is compiled has guards in it, see [WorkshopGuard].
 var is_guarded := false
@@ -179,8 +162,7 @@ func _uses_known_names(file: String, is_test: bool) -> bool:
 # A method of the answer key, written down again, tells nothing of the student.
 func _is_his_own(file: String) -> bool:
 	for function in codes[file].functions():
-		var shape := codes[file].shape_of(function)
-		if shape.size() >= _LONG and key_shapes().has(" ".join(shape).md5_text()):
+		if WorkshopAnswerKey.has(codes[file].shape_of(function)):
 			var sentence := LabText.translate("%s is the lab's own code: write it yourself.")
 			var line := codes[file].line_of(function)
 			_add_problem(file, WorkshopVerdict.Kind.REFUSED, line, sentence % function)
@@ -200,23 +182,6 @@ func _has_its_name(file: String) -> bool:
 	var sentence := LabText.translate("The class must be called %s: class_name %s.")
 	_add_problem(file, WorkshopVerdict.Kind.UNREADABLE, line, sentence % [wanted, wanted])
 	return false
-
-
-## The checksums of the methods in the answer key that are long enough to be told apart.
-static func key_shapes() -> Dictionary[String, bool]:
-	if _shapes_of_key:
-		return _shapes_of_key
-	if FileAccess.file_exists(PACKED_KEY):
-		for sum in FileAccess.get_file_as_string(PACKED_KEY).split("\n"):
-			_shapes_of_key[sum] = true
-		return _shapes_of_key
-	for path in _KEY_FILES:
-		var code := WorkshopCode.new(FileAccess.get_file_as_bytes(path))
-		for function in code.functions():
-			var shape := code.shape_of(function)
-			if shape.size() >= _LONG:
-				_shapes_of_key[" ".join(shape).md5_text()] = true
-	return _shapes_of_key
 
 
 func _compiled(file: String, together: WorkshopTogether, place: String) -> GDScript:

@@ -3,7 +3,7 @@ extends Logger
 ## Hears what the engine says of a student's code: mistakes of form, and what stops a method.
 
 const _MOST := 20
-const _HIS := "res://workshop/judged"
+const _HIS := "res:/" + "/workshop/judged"
 const _SCRIPT := Logger.ERROR_TYPE_SCRIPT
 
 

@@ -54,6 +54,26 @@ func judge(files: Dictionary[String, PackedByteArray], skipped: PackedInt32Array
 	report.is_complete = true
 
 
+## What the student's [param method] gives for other numbers than those of a probe, in the order of
+## [member WorkshopTask.takes]; nothing where it cannot be called, or is stopped.
+func answer(method: String, numbers: PackedFloat64Array) -> PackedFloat64Array:
+	var task := WorkshopIndex.task(method)
+	var vector: GDScript = compiler.classes.get("MyVec2")
+	var home: GDScript = compiler.classes.get(task.home)
+	if not vector or not home or not _has_method(task):
+		return []
+	_errors.begin()
+	_watchdog.allow(WorkshopWatchdog.LONGEST)
+	if compiler.is_guarded:
+		WorkshopGuard.begin(_errors)
+	var given := WorkshopCall.new(task, vector, home, method).run(numbers)
+	_watchdog.rest()
+	var is_stopped := compiler.is_guarded and WorkshopGuard.over
+	if _errors.heard or _errors.has_overflowed or is_stopped:
+		return []
+	return given.numbers
+
+
 ## The verdict on the exercise that runs just now, which has to be ended.
 func verdict_at_the_end(kind: WorkshopVerdict.Kind) -> WorkshopVerdict:
 	var verdict := WorkshopVerdict.new()
@@ -82,6 +102,11 @@ func _go_on_without(verdict: WorkshopVerdict) -> void:
 	if verdict.method and not _errors.has_overflowed:
 		_stopped.append(verdict.method)
 		report.go_on_after_end(-1)
+
+
+func _has_method(task: WorkshopTask) -> bool:
+	var code := compiler.codes[WorkshopFiles.file_of(task.home)]
+	return task.method in code.functions()
 
 
 func _verdict_on(exercise: WorkshopExercise) -> WorkshopVerdict:

@@ -40,10 +40,11 @@ var _pending: Dictionary = {}
 
 
 ## The one watcher of the lab that runs in [param tree]: all lessons share it, and it outlives each
-## of them. It begins when it is wanted first.
+## of them. It begins when it is wanted first. Where no child can be started it is a
+## [WorkshopPageWatcher].
 static func of_lab(tree: SceneTree) -> WorkshopWatcher:
 	if not is_instance_valid(_of_lab):
-		_of_lab = WorkshopWatcher.new()
+		_of_lab = WorkshopWatcher.new() if WorkshopChild.can_run() else WorkshopPageWatcher.new()
 		tree.root.add_child.call_deferred(_of_lab)
 	return _of_lab
 

@@ -67,24 +67,8 @@ func _answer(request: Dictionary) -> void:
 	_asked = request["ask"]
 	var method: String = request["method"]
 	var bits: String = request["numbers"]
-	var task := WorkshopIndex.task(method)
-	var reply := {"answer": _asked, "numbers": "", "sentence": ""}
-	var vector: GDScript = _judge.compiler.classes.get("MyVec2")
-	var home: GDScript = _judge.compiler.classes.get(task.home)
-	if vector and home and _has_method(task):
-		_errors.begin()
-		_watchdog.allow(WorkshopWatchdog.LONGEST)
-		var asking := WorkshopCall.new(task, vector, home, method)
-		var answer := asking.run(WorkshopVerdict.numbers_of(bits))
-		_watchdog.rest()
-		if answer.numbers and not _errors.heard and not _errors.has_overflowed:
-			reply["numbers"] = WorkshopVerdict.bits_of(answer.numbers)
-	_say(reply)
-
-
-func _has_method(task: WorkshopTask) -> bool:
-	var code := _judge.compiler.codes[WorkshopFiles.file_of(task.home)]
-	return task.method in code.functions()
+	var answer := _judge.answer(method, WorkshopVerdict.numbers_of(bits))
+	_say({"answer": _asked, "numbers": WorkshopVerdict.bits_of(answer), "sentence": ""})
 
 
 # In the watchdog's thread, while the student's code hangs in the other one.

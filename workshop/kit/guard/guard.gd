@@ -16,7 +16,7 @@ const MOST_ELEMENTS := 2_000_000
 ## So many characters a text may have, and so many elements a list that is built up.
 const LARGEST := 200_000
 ## So many lines that are printed are kept.
-const MOST_PRINTED := 20
+const MOST_PRINTED := 6
 
 ## Whether a bound was passed since [method begin].
 static var over := false
