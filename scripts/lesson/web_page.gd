@@ -69,6 +69,24 @@ static func tell(state: Dictionary) -> void:
 	_run("window.vec2_lab?.tell?.(%s)", state)
 
 
+## Has the browser keep [param text] under a key, so that it is there again even if the page is left
+## in this moment: what is written to `user://` takes its time. "" forgets it.
+static func keep(key: String, text: String) -> void:
+	var code := (
+		"(([key,text])=>{try{text?localStorage.setItem(key,text):localStorage.removeItem(key)}"
+		+ "catch{}})(%s)"
+	)
+	_run(code, ["vec2_lab_" + key, text])
+
+
+## What the browser keeps under a key; "" for nothing.
+static func kept(key: String) -> String:
+	if not is_there():
+		return ""
+	var code := "(key=>{try{return localStorage.getItem(key)??''}catch{return ''}})(%s)"
+	return str(JavaScriptBridge.eval(code.replace("%s", JSON.stringify("vec2_lab_" + key))))
+
+
 ## Whether the person who uses the browser wants little to move by itself.
 static func asks_for_reduced_motion() -> bool:
 	var question := "String(window.matchMedia('(prefers-reduced-motion: reduce)').matches)"

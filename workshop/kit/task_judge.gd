@@ -124,6 +124,9 @@ func _try(trying: WorkshopCall, probe: WorkshopProbe) -> bool:
 		return _stop_at_guard(probe)
 	if _errors.heard:
 		_verdict.line = _line_of.call(_errors.heard[0])
+		# A guard does not end the method: what came back is not what it would be.
+		if not _errors.heard[0].file:
+			_verdict.got.clear()
 		var message := _errors.heard[0].message
 		var sentence := WorkshopSentences.of_stop(message, _code.functions())
 		return _stop(WorkshopVerdict.Kind.BROKEN, sentence)

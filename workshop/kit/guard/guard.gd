@@ -108,7 +108,8 @@ static func has(base: Variant, member: StringName, is_called: bool, at: int) -> 
 			return true
 	elif not typeof(base) in [TYPE_NIL, TYPE_BOOL, TYPE_INT, TYPE_FLOAT]:
 		return true
-	if typeof(base) == TYPE_NIL or not is_instance_valid(base):
+	var is_freed := typeof(base) == TYPE_OBJECT and not is_instance_valid(base)
+	if typeof(base) == TYPE_NIL or is_freed:
 		_note("Invalid access to '%s' on a null instance" % member, at)
 	else:
 		var form := "Nonexistent function '%s'" if is_called else "Invalid access to key '%s'"

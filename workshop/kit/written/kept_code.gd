@@ -15,15 +15,20 @@ static func exercises() -> Array[WorkshopExercise]:
 
 ## The text of an exercise: what he has written, else its stub.
 static func text_of(exercise: WorkshopExercise) -> String:
-	return KeptChoices.value(_KEY % exercise.number, stub_of(exercise))
+	var key := _KEY % exercise.number
+	var of_browser := WebPage.kept(key)
+	return of_browser if of_browser else str(KeptChoices.value(key, stub_of(exercise)))
 
 
 ## Keeps a text from now on.
 static func keep(exercise: WorkshopExercise, text: String) -> void:
-	if text == stub_of(exercise):
-		KeptChoices.forget(_KEY % exercise.number)
+	var key := _KEY % exercise.number
+	var is_stub := text == stub_of(exercise)
+	WebPage.keep(key, "" if is_stub else text)
+	if is_stub:
+		KeptChoices.forget(key)
 	else:
-		KeptChoices.keep(_KEY % exercise.number, text)
+		KeptChoices.keep(key, text)
 
 
 ## Whether something other than the stub is there.
