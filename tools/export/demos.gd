@@ -13,9 +13,7 @@ const FEATURES: Dictionary[String, String] = {LAB: "", WORKSHOP: "workshop"}
 const _FEATURE_OF_LESSONS := "demo"
 
 # What the lab has besides lessons: it finds these by settings.
-const _BESIDES: PackedStringArray = [
-	"vec2_lab/lesson/besides", "vec2_lab/start_screen/besides"
-]
+const _BESIDES: PackedStringArray = ["vec2_lab/lesson/besides", "vec2_lab/start_screen/besides"]
 
 
 ## The names of all demos: the lab, then the lessons in their order, the game, and the workshop.

@@ -4,6 +4,8 @@ extends WorkshopScreen
 ## exercise, and beside it what the judge says of it. All that is typed is kept at once.
 
 const _EXERCISE := "code_exercise"
+# The same in every language.
+const _CHECK_KEYS := "Ctrl+Enter"
 # A screen that is less wide has what is said below what is written.
 const _WIDE := 760.0
 # What is said takes this part of a tall screen.
@@ -16,13 +18,13 @@ const _MEANING_A_LINE: Array[WorkshopVerdict.Kind] = [
 	WorkshopVerdict.Kind.MEMORY,
 	WorkshopVerdict.Kind.REFUSED,
 ]
+# How much of its color has what was said of an earlier text.
+const _FAINT := 0.45
 const _NOT_TOLD: PackedStringArray = ["_init", "_to_string"]
 
 var _exercises: Array[WorkshopExercise] = []
 var _exercise: WorkshopExercise
 var _watcher: WorkshopPageWatcher
-# Whether what is said is about the text as it is now.
-var _is_current := false
 
 @onready var _choice: OptionButton = %Choice
 @onready var _body: BoxContainer = %Body
@@ -32,6 +34,7 @@ var _is_current := false
 @onready var _stub: Button = %Stub
 @onready var _indents: Array[Button] = [%Indent, %Unindent]
 @onready var _said: Control = %Said
+@onready var _changed: Control = %Changed
 @onready var _ball: Control = %Ball
 @onready var _sign: Label = %Sign
 @onready var _heading: Label = %Heading
@@ -42,6 +45,7 @@ var _is_current := false
 @onready var _got: Label = %Got
 @onready var _wanted: Label = %Wanted
 @onready var _printed: Label = %Printed
+@onready var _told: Array[Control] = [%Verdict, _sentence, _probe, _printed]
 @onready var _names: Label = %Names
 @onready var _done: Label = %Done
 
@@ -52,6 +56,7 @@ func _ready() -> void:
 	_watcher = WorkshopWatcher.of_lab(get_tree()) as WorkshopPageWatcher
 	_watcher.judged.connect(_show_report)
 	(%Check as Button).pressed.connect(_check)
+	(%Check as Button).tooltip_text = _CHECK_KEYS
 	(%Previous as Button).pressed.connect(_go.bind(-1))
 	(%Next as Button).pressed.connect(_go.bind(1))
 	_choice.item_selected.connect(func(at: int) -> void: _open(_exercises[at]))
@@ -111,8 +116,9 @@ func _go(by: int) -> void:
 
 func _keep() -> void:
 	WorkshopKeptCode.keep(_exercise, _field.text)
-	_is_current = false
-	_said.modulate.a = 0.5
+	_changed.show()
+	for part in _told:
+		part.modulate.a = _FAINT
 	_show_steps()
 
 
@@ -146,8 +152,9 @@ func _show_report(report: WorkshopReport) -> void:
 
 
 func _show_verdict(verdict: WorkshopVerdict) -> void:
-	_said.modulate.a = 1.0
-	_is_current = true
+	_changed.hide()
+	for part in _told:
+		part.modulate.a = 1.0
 	_sign.text = OwnCodeTexts.sign_of(verdict)
 	_ball.self_modulate = Palette.color(OwnCodeTexts.role_of(verdict))
 	_heading.text = OwnCodeTexts.heading(_exercise)

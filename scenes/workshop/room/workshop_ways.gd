@@ -34,9 +34,7 @@ static func open_code(tree: SceneTree) -> void:
 
 ## Opens the page on which the student writes, at [param exercise]. From there he comes back to
 ## [param lesson].
-static func open_code_of(
-	exercise: WorkshopExercise, lesson: LessonInfo, tree: SceneTree
-) -> void:
+static func open_code_of(exercise: WorkshopExercise, lesson: LessonInfo, tree: SceneTree) -> void:
 	var page := _made(_CODE) as CodePage
 	page.left.connect(_open_lesson.bind(lesson, tree))
 	CodePage.choose(exercise)

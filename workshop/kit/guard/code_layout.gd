@@ -246,4 +246,3 @@ func _head_at(index: int) -> Head:
 	if begins_line(before + 1) or at(before) == ")":
 		head.name = at(index + 1)
 	return head
-

@@ -65,4 +65,6 @@ func _is_outside_of_functions(index: int) -> bool:
 
 func _refuse(index: int, word: String) -> void:
 	line = _layout.tokens[index].line
-	sentence = LabText.translate("%s cannot be stopped in the browser: use it in Godot only.") % word
+	sentence = (
+		LabText.translate("%s cannot be stopped in the browser: use it in Godot only.") % word
+	)

@@ -150,9 +150,7 @@ static func _leaving(head: WorkshopCodeLayout.Head) -> String:
 func _guard_division(index: int, line: int) -> void:
 	var is_assigning := _layout.at(index + 1) == "="
 	var first := index + 2 if is_assigning else index + 1
-	var last := (
-		_layout.statement_end(first) - 1 if is_assigning else _layout.operand_end(first)
-	)
+	var last := _layout.statement_end(first) - 1 if is_assigning else _layout.operand_end(first)
 	if last < first or last >= _layout.tokens.size() or _is_harmless(index, first, last):
 		return
 	if _layout.at(last) == ")" and _layout.ends_value(_layout.partners[last] - 1):
@@ -176,7 +174,7 @@ func _is_harmless(index: int, first: int, last: int) -> bool:
 
 
 func _is_text(word: String) -> bool:
-	var pattern := r'\b%s[ \t]*(:[ \t]*String\b|:?=[ \t]*["\'])' % word
+	var pattern := r"\b%s[ \t]*(:[ \t]*String\b|:?=[ \t]*[\"'])" % word
 	return word.is_valid_ascii_identifier() and RegEx.create_from_string(pattern).search(_plain)
 
 
