@@ -61,7 +61,7 @@ static func _of_workshop() -> WebDemo:
 	var demo := WebDemo.new()
 	demo.id = WORKSHOP
 	demo.title = "Your own code"
-	demo.summary = "Write the lecture's methods in the browser, and see at once whether they are right."
+	demo.summary = "Write the lecture's methods in the browser, and see whether they are right."
 	return demo
 
 

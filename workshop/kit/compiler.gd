@@ -1,8 +1,9 @@
 class_name WorkshopCompiler
 extends RefCounted
-## Compiles a student's files from their text, all of them together, as classes inside one script. So
-## it does not matter what stands in his files on the disk, nor whether the editor knows his classes
-## already, and each file sees the others. Only a child may run them, unless they are guarded.
+## Compiles a student's files from their text, all of them together, as classes inside one script.
+## So it does not matter what stands in his files on the disk, nor whether the editor knows his
+## classes already, and each file sees the others. Only a child may run them, unless they are
+## guarded.
 
 # In two parts, because no export has to look for them.
 const _PLACE := "res:/" + "/workshop/judged.gd"

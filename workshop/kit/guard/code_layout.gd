@@ -144,7 +144,7 @@ func ends_value(index: int) -> bool:
 	return tokens[index].is_name() and not word in WorkshopCode.KEYWORDS
 
 
-## The first token of the names, calls and indices that end with a token, such as `a` in `a.b(c)[d]`.
+## The first token of the names, calls and indices that end with a token: `a` in `a.b(c)[d]`.
 func chain_start(index: int) -> int:
 	var start := index
 	while true:

@@ -1,9 +1,9 @@
 class_name WorkshopGuardedCode
 extends RefCounted
 ## A student's text with guards in it, see [WorkshopGuard]: each loop asks whether it may make
-## another turn, each function whether it may begin, each divisor whether it is a whole 0, each value
-## whether it is null before something of it is used. The student never sees this text; the lines in
-## all that is told are those of his own.
+## another turn, each function whether it may begin, each divisor whether it is a whole 0, each
+## value whether it is null before something of it is used. The student never sees this text; the
+## lines in all that is told are those of his own.
 
 # Functions of the language that give whole numbers.
 const _WHOLE := (
