@@ -9,6 +9,8 @@ static var _follower: Callable
 static var _listener: JavaScriptObject
 static var _enterer: Callable
 static var _entrance: JavaScriptObject
+static var _paster: Callable
+static var _pasting: JavaScriptObject
 static var _has_told_first_frame := false
 
 
@@ -62,6 +64,17 @@ static func follow_entering(enterer: Callable) -> void:
 		_entrance = JavaScriptBridge.create_callback(_tell_enterer)
 		var window := JavaScriptBridge.get_interface("window")
 		window.call(&"addEventListener", "vec2_lab_entered", _entrance)
+
+
+## From now on [param paster], and nobody else, is called with a text that is pasted. The engine
+## itself has only what was in the clipboard before.
+static func follow_pasting(paster: Callable) -> void:
+	_paster = paster
+	tell({"takesPaste": paster.is_valid()})
+	if is_there() and not _pasting:
+		_pasting = JavaScriptBridge.create_callback(_tell_paster)
+		var window := JavaScriptBridge.get_interface("window")
+		window.call(&"addEventListener", "vec2_lab_pasted", _pasting)
 
 
 ## Tells the page what it needs to know of the lab, by name: whether Tab and the wheel are for it.
@@ -118,3 +131,8 @@ static func _tell_follower(_event: Array) -> void:
 static func _tell_enterer(_event: Array) -> void:
 	if _enterer.is_valid():
 		_enterer.call()
+
+
+static func _tell_paster(event: Array) -> void:
+	if _paster.is_valid():
+		_paster.call(str((event[0] as JavaScriptObject).get("detail")))

@@ -25,6 +25,8 @@ func _ready() -> void:
 			indent_automatic_prefixes.append(opener)
 	add_comment_delimiter("#", "", true)
 	text_changed.connect(unmark)
+	focus_entered.connect(WebPage.follow_pasting.bind(_paste))
+	focus_exited.connect(WebPage.follow_pasting.bind(Callable()))
 	paint()
 
 
@@ -39,6 +41,13 @@ func _gui_input(event: InputEvent) -> void:
 	elif key.keycode == KEY_ESCAPE:
 		find_next_valid_focus().grab_focus()
 		accept_event()
+
+
+# What is marked is replaced, in one step that can be undone.
+func _paste(content: String) -> void:
+	begin_complex_operation()
+	insert_text_at_caret(content.replace("\r\n", "\n"))
+	end_complex_operation()
 
 
 ## Takes the colors of the palette as they are now.

@@ -54,7 +54,8 @@ func test_where_only_the_tests_are_left_it_opens_the_rubric() -> void:
 	assert_reads("Reached: sufficient")
 
 
-func test_where_no_child_can_be_started_the_card_opens_the_page_to_write_on_and_leads_back() -> void:
+func test_where_no_child_can_be_started_the_card_opens_the_page_to_write_on_and_leads_back(
+) -> void:
 	WorkshopChild.is_allowed = false
 	# The next one that is asked for is that of a page.
 	await student.settle()
