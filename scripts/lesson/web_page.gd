@@ -135,4 +135,5 @@ static func _tell_enterer(_event: Array) -> void:
 
 static func _tell_paster(event: Array) -> void:
 	if _paster.is_valid():
-		_paster.call(str((event[0] as JavaScriptObject).get("detail")))
+		var pasted: JavaScriptObject = event[0]
+		_paster.call(str(pasted.get("detail")))
