@@ -25,7 +25,7 @@ func _ready() -> void:
 			indent_automatic_prefixes.append(opener)
 	add_comment_delimiter("#", "", true)
 	text_changed.connect(unmark)
-	focus_entered.connect(WebPage.follow_pasting.bind(_paste))
+	focus_entered.connect(WebPage.follow_pasting.bind(_take_in))
 	focus_exited.connect(WebPage.follow_pasting.bind(Callable()))
 	paint()
 
@@ -44,7 +44,7 @@ func _gui_input(event: InputEvent) -> void:
 
 
 # What is marked is replaced, in one step that can be undone.
-func _paste(content: String) -> void:
+func _take_in(content: String) -> void:
 	begin_complex_operation()
 	insert_text_at_caret(content.replace("\r\n", "\n"))
 	end_complex_operation()
