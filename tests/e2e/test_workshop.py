@@ -176,15 +176,22 @@ def blocks_of(text):
 
 
 def written_in(hand_in, file):
-    """What the student has written in a file: all that is not as in the starter."""
+    """What the student has written in a file, by the exercises: all that is not as in the starter."""
     given = (STARTERS / f"{file}.gd").read_text()
     known = set(blocks_of(given))
     path = HAND_INS / hand_in / f"{file}.gd"
     if not path.exists():
-        return ""
+        return {}
     text = path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
     own = [block for block in blocks_of(text) if block not in known and not block.startswith(("class_name", "extends", "var x", "var y"))]
-    return "\n\n\n".join(own) + "\n" if own else ""
+    texts = {}
+    # What belongs to no exercise, such as a method that helps, stands with the first one.
+    first = min(number for number in FILES if FILES[number] == file)
+    for block in own:
+        exercise = re.search(r"^## Exercise (\d+):", block, re.MULTILINE)
+        number = int(exercise[1]) if exercise else first
+        texts[number] = texts.get(number, "") + block + "\n\n\n"
+    return texts
 
 
 def table():
@@ -206,8 +213,9 @@ def test_the_verdicts_on_hand_ins_are_those_of_the_command(context, site):
     code.open_exercise(0)
     different = []
     for hand_in in CHOSEN:
-        # Each file is pasted into its first exercise.
-        texts = {min(n for n in FILES if FILES[n] == file): written_in(hand_in, file) for file in dict.fromkeys(FILES.values())}
+        texts = {}
+        for file in dict.fromkeys(FILES.values()):
+            texts |= written_in(hand_in, file)
         code.page.evaluate(
             """texts => { for (let n = 0; n < 16; n++) localStorage.removeItem(`vec2_lab_code_${n}`);
             for (const n in texts) if (texts[n]) localStorage[`vec2_lab_code_${n}`] = texts[n]; }""",

@@ -9,7 +9,7 @@ const LAB := "lab"
 ## The workshop among them.
 const WORKSHOP := "workshop"
 ## Its picture; that of a lesson is in its folder.
-const WORKSHOP_PICTURE := "res://scenes/workshop/page/card.png"
+const WORKSHOP_PICTURE := "res://scenes/workshop/room/card.png"
 
 const _LAB_NAME := "Vec2 Lab"
 

@@ -38,7 +38,7 @@ func _ready() -> void:
 	_is_around.toggled.connect(_show_all.unbind(1))
 	_board.resized.connect(_fit)
 	Conventions.changed().connect(_turn_over)
-	_watcher = WorkshopWatcher.of_lab(get_tree())
+	_watcher = WorkshopLabWatcher.of(get_tree())
 	_watcher.judged.connect(_show_all.unbind(1))
 	_watcher.began.connect(_show_all)
 	_watcher.answered.connect(_take_answer)

@@ -20,7 +20,7 @@ func add_to(shelf: LessonShelf) -> Dictionary[StringName, String]:
 	if not WorkshopChild.can_run():
 		_code.summarize(tr("Write the next method here, and see at once whether it is right."))
 	_rubric = _add_card(shelf, _RUBRIC_CARD, WorkshopWays.open_rubric)
-	var watcher := WorkshopWatcher.of_lab(get_tree())
+	var watcher := WorkshopLabWatcher.of(get_tree())
 	watcher.judged.connect(_show_report)
 	watcher.began.connect(_show_report.bind(null))
 	_show_report(watcher.report)

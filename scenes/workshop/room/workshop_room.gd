@@ -17,7 +17,7 @@ var _is_through := false
 func _ready() -> void:
 	super()
 	_say()
-	var watcher := WorkshopWatcher.of_lab(get_tree())
+	var watcher := WorkshopLabWatcher.of(get_tree())
 	watcher.judged.connect(_lead_on)
 	if watcher.report:
 		_lead_on(watcher.report)

@@ -50,7 +50,7 @@ func _unhandled_input(event: InputEvent) -> void:
 		get_viewport().set_input_as_handled()
 		left.emit()
 	elif event.is_action_pressed(&"lab_check_code", false, true):
-		WorkshopWatcher.of_lab(get_tree()).check_now()
+		WorkshopLabWatcher.of(get_tree()).check_now()
 
 
 # In the language that is spoken now. What is in the scene, the engine says anew by itself.

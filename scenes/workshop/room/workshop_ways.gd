@@ -5,7 +5,7 @@ extends RefCounted
 
 const _ROOM := "res://scenes/workshop/room/workshop_room.tscn"
 const _RUBRIC := "res://scenes/workshop/room/rubric_page.tscn"
-const _CODE := "res://scenes/workshop/page/code_page.tscn"
+const _CODE := "res://scenes/workshop/room/code_page.tscn"
 const _ROTATION := "res://scenes/workshop/room/rotation_room.tscn"
 
 # The student comes back from the workshop: the start screen begins at its card.

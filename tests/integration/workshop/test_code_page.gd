@@ -1,7 +1,7 @@
 extends ScreenTest
 ## The page on which a student writes in the lab itself, as in a browser: he types, it judges.
 
-const _PAGE := preload("res://scenes/workshop/page/code_page.tscn")
+const _PAGE := preload("res://scenes/workshop/room/code_page.tscn")
 const _RIGHT := "func dot(other: MyVec2) -> float:\n\treturn x * other.x + y * other.y\n"
 const _MINUS := "func dot(other: MyVec2) -> float:\n\treturn x * other.x - y * other.y\n"
 const _SIZES: Array[Vector2i] = [Vector2i(1280, 720), Vector2i(390, 844), Vector2i(844, 390)]
@@ -123,7 +123,7 @@ func _open_page() -> void:
 
 func _reopen() -> void:
 	_page.free()
-	WorkshopWatcher.of_lab(get_tree()).check_now()
+	WorkshopLabWatcher.of(get_tree()).check_now()
 	await _open_page()
 
 

@@ -16,7 +16,7 @@ static func follow(frame: Control) -> void:
 	var exercises := WorkshopIndex.of_lesson(info.id)
 	if exercises.is_empty():
 		return
-	var watcher := WorkshopWatcher.of_lab(frame.get_tree())
+	var watcher := WorkshopLabWatcher.of(frame.get_tree())
 	var section := _add_section(frame, lesson, watcher, exercises)
 	section.write_wanted.connect(WorkshopWays.open_code_of.bind(info, frame.get_tree()))
 	_add_drawing(lesson, info.id, watcher)

@@ -15,10 +15,6 @@ func _ready() -> void:
 	check_now()
 
 
-func _exit_tree() -> void:
-	pass
-
-
 ## Judges the texts as they are now.
 func check_now() -> void:
 	began.emit()
@@ -41,10 +37,12 @@ func is_judging() -> bool:
 	return false
 
 
+## There is none.
 func child_id() -> int:
 	return -1
 
 
+## See [method WorkshopWatcher.ask]; the answer comes in the same frame.
 func ask(method: String, numbers: PackedFloat64Array) -> int:
 	_questions += 1
 	_answer.call_deferred(_questions, method, numbers)

@@ -3,25 +3,11 @@ extends RefCounted
 ## The student's files, made of the texts that he has written in the lab itself: each is a starter,
 ## in which a text stands in place of the methods that it declares.
 
-
-## Some lines in a row.
-class Place:
-	extends RefCounted
-	## The first one, from 0.
-	var first: int
-	## The one behind the last.
-	var behind: int
-	## The exercise whose text it is.
-	var exercise: int
-	## The file in which they are.
-	var file: String
-
-
 ## The files by their names.
 var files: Dictionary[String, PackedByteArray] = {}
 
 # Where the texts are.
-var _places: Array[Place] = []
+var _places: Array[WorkshopLines] = []
 
 
 ## Puts the files together, without the texts of the exercises in [param left_out].
@@ -58,31 +44,8 @@ func last_exercise_in(file: String) -> int:
 func line_in_text(exercise: int, file: String, line: int) -> int:
 	if exercise_at(file, line) != exercise:
 		return 0
-	var own := _places.filter(func(place: Place) -> bool: return place.exercise == exercise)
+	var own := _places.filter(func(place: WorkshopLines) -> bool: return place.exercise == exercise)
 	return line - own[0].first
-
-
-## Where a function is in [param lines], with the comment above it; nothing where it is not there.
-static func lines_of(function: String, lines: PackedStringArray) -> Place:
-	var place := Place.new()
-	var head := RegEx.create_from_string(r"^(static[ \t]+)?func[ \t]+%s\b" % function)
-	for at in lines.size():
-		if head.search(lines[at]):
-			place.first = at
-			while place.first > 0 and lines[place.first - 1].begins_with("#"):
-				place.first -= 1
-			place.behind = at + 1
-			while place.behind < lines.size() and _goes_on(lines[place.behind]):
-				place.behind += 1
-			while not lines[place.behind - 1].strip_edges():
-				place.behind -= 1
-			return place
-	return place
-
-
-# A bracket that closes the parameters stands at the edge, too.
-static func _goes_on(line: String) -> bool:
-	return not line.strip_edges() or line[0] in ["\t", " ", ")"]
 
 
 func _put_together(file: String, written: Array[WorkshopExercise]) -> void:
@@ -92,11 +55,11 @@ func _put_together(file: String, written: Array[WorkshopExercise]) -> void:
 		var code := WorkshopCode.new(WorkshopKeptCode.text_of(exercise).to_utf8_buffer())
 		texts.append(_with_tabs(code.text).split("\n"))
 		for function in code.functions():
-			var place := lines_of(function, lines)
+			var place := WorkshopLines.of_function(function, lines)
 			for line in place.behind - place.first:
 				lines.remove_at(place.first)
 	for at in texts.size():
-		var place := Place.new()
+		var place := WorkshopLines.new()
 		place.file = file
 		place.exercise = written[at].number
 		place.first = lines.size()

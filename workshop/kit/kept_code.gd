@@ -41,6 +41,6 @@ static func stub_of(exercise: WorkshopExercise) -> String:
 	var lines := WorkshopFiles.starter(WorkshopFiles.file_of(exercise.home())).split("\n")
 	var stubs: PackedStringArray = []
 	for task in exercise.tasks:
-		var place := WorkshopWrittenFiles.lines_of(task.method, lines)
+		var place := WorkshopLines.of_function(task.method, lines)
 		stubs.append("\n".join(lines.slice(place.first, place.behind)))
 	return "\n\n\n".join(stubs) + "\n"

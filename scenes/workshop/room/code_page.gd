@@ -53,7 +53,7 @@ var _watcher: WorkshopPageWatcher
 func _ready() -> void:
 	super()
 	_exercises = WorkshopKeptCode.exercises()
-	_watcher = WorkshopWatcher.of_lab(get_tree()) as WorkshopPageWatcher
+	_watcher = WorkshopLabWatcher.of(get_tree()) as WorkshopPageWatcher
 	_watcher.judged.connect(_show_report)
 	(%Check as Button).pressed.connect(_check)
 	(%Check as Button).tooltip_text = _CHECK_KEYS
