@@ -79,14 +79,15 @@ func begin(content: String) -> void:
 	text = content
 	clear_undo_history()
 	set_caret_line(first_line_to_write())
-	set_caret_column(get_line(get_caret_line()).length())
+	set_caret_column(text.get_slice("\n", get_caret_line()).length())
 
 
 ## The line, from 0, in which the first body begins.
 func first_line_to_write() -> int:
-	for line in get_line_count():
-		if get_line(line).begins_with("\t") and get_line(line).strip_edges():
-			return line
+	var lines := text.split("\n")
+	for at in lines.size():
+		if lines[at].begins_with("\t") and lines[at].strip_edges():
+			return at
 	return 0
 
 
