@@ -39,7 +39,7 @@ func _run() -> void:
 	KeptChoices.file = FOLDER + "_choices.cfg"
 	OpeningMotion.is_allowed = false
 	_empty_folder()
-	_watcher = WorkshopWatcher.of_lab(self)
+	_watcher = WorkshopLabWatcher.of(self)
 	_watcher.folder = FOLDER
 	print("\nWindow %d x %d, %s" % [root.size.x, root.size.y, _renderer()])
 	_print_load()

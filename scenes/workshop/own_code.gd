@@ -3,6 +3,9 @@ extends FoldableContainer
 ## What the lab says of the student's own code for one lesson: the first exercise of the lesson that
 ## is not right yet, and how far he has come. Folded while nothing is written.
 
+## The student wants to write the methods of [param exercise] in the lab itself.
+signal write_wanted(exercise: WorkshopExercise)
+
 ## Its action, with what it does in a word for the help line: source text.
 const ACTIONS: Dictionary[StringName, String] = {&"lab_check_code": "check your code"}
 
@@ -59,6 +62,9 @@ func follow(lesson: Lesson, watcher: WorkshopWatcher, exercises: Array[WorkshopE
 	(%Check as Button).pressed.connect(watcher.check_now)
 	watcher.began.connect(_grow_old)
 	watcher.judged.connect(_show_report)
+	var write := %Write as Button
+	write.visible = not WorkshopChild.can_run()
+	write.pressed.connect(_want_to_write)
 	_heading.text = OwnCodeTexts.heading(exercises[0])
 	if watcher.report:
 		_show_report(watcher.report)
@@ -82,6 +88,11 @@ func _process(_seconds: float) -> void:
 func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_check_code", false, true):
 		_watcher.check_now()
+
+
+func _want_to_write() -> void:
+	var exercise := _exercise_to_show(_watcher.report) if _watcher.report else null
+	write_wanted.emit(exercise if exercise else _exercises[0])
 
 
 func _grow_old() -> void:

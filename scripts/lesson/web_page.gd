@@ -9,6 +9,8 @@ static var _follower: Callable
 static var _listener: JavaScriptObject
 static var _enterer: Callable
 static var _entrance: JavaScriptObject
+static var _paster: Callable
+static var _pasting: JavaScriptObject
 static var _has_told_first_frame := false
 
 
@@ -64,9 +66,38 @@ static func follow_entering(enterer: Callable) -> void:
 		window.call(&"addEventListener", "vec2_lab_entered", _entrance)
 
 
+## From now on [param paster], and nobody else, is called with a text that is pasted. The engine
+## itself has only what was in the clipboard before.
+static func follow_pasting(paster: Callable) -> void:
+	_paster = paster
+	tell({"takesPaste": paster.is_valid()})
+	if is_there() and not _pasting:
+		_pasting = JavaScriptBridge.create_callback(_tell_paster)
+		var window := JavaScriptBridge.get_interface("window")
+		window.call(&"addEventListener", "vec2_lab_pasted", _pasting)
+
+
 ## Tells the page what it needs to know of the lab, by name: whether Tab and the wheel are for it.
 static func tell(state: Dictionary) -> void:
 	_run("window.vec2_lab?.tell?.(%s)", state)
+
+
+## Has the browser keep [param text] under a key, so that it is there again even if the page is left
+## in this moment: what is written to `user://` takes its time. "" forgets it.
+static func keep(key: String, text: String) -> void:
+	var code := (
+		"(([key,text])=>{try{text?localStorage.setItem(key,text):localStorage.removeItem(key)}"
+		+ "catch{}})(%s)"
+	)
+	_run(code, ["vec2_lab_" + key, text])
+
+
+## What the browser keeps under a key; "" for nothing.
+static func kept(key: String) -> String:
+	if not is_there():
+		return ""
+	var code := "(key=>{try{return localStorage.getItem(key)??''}catch{return ''}})(%s)"
+	return str(JavaScriptBridge.eval(code.replace("%s", JSON.stringify("vec2_lab_" + key))))
 
 
 ## Whether the person who uses the browser wants little to move by itself.
@@ -100,3 +131,9 @@ static func _tell_follower(_event: Array) -> void:
 static func _tell_enterer(_event: Array) -> void:
 	if _enterer.is_valid():
 		_enterer.call()
+
+
+static func _tell_paster(event: Array) -> void:
+	if _paster.is_valid():
+		var pasted: JavaScriptObject = event[0]
+		_paster.call(str(pasted.get("detail")))

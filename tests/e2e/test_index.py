@@ -5,7 +5,7 @@ import pytest
 from demo_page import DemoPage
 from uses import USES
 
-DEMOS = ["lab", *USES]
+DEMOS = ["lab", *USES, "workshop"]
 WINDOWS = {
     "wide": {"viewport": {"width": 1280, "height": 720}},
     "phone": {"viewport": {"width": 390, "height": 844}, "device_scale_factor": 2, "is_mobile": True},
@@ -25,7 +25,7 @@ def index(request, browser, site):
 
 def test_it_has_a_card_for_each_demo_in_order(index):
     hrefs = [link.get_attribute("href") for link in index.get_by_role("link").all()]
-    assert hrefs == ["lab/index.html", "notes.html", "rubric.html"] + [f"{demo}/index.html" for demo in USES]
+    assert hrefs == ["lab/index.html", "notes.html", "rubric.html"] + [f"{demo}/index.html" for demo in DEMOS[1:]]
 
 
 def test_each_card_has_its_words_and_its_picture(index):

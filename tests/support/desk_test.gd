@@ -17,7 +17,7 @@ func before_each() -> void:
 	DirAccess.make_dir_recursive_absolute(FOLDER)
 	for file in DirAccess.get_files_at(FOLDER):
 		DirAccess.remove_absolute(FOLDER.path_join(file))
-	watcher = WorkshopWatcher.of_lab(get_tree())
+	watcher = WorkshopLabWatcher.of(get_tree())
 	watcher.folder = FOLDER
 
 

@@ -14,7 +14,7 @@ func before_each() -> void:
 	super.before_each()
 	DirAccess.make_dir_recursive_absolute(folder())
 	WorkshopFiles.put_starters(folder())
-	watcher = WorkshopWatcher.of_lab(get_tree())
+	watcher = WorkshopLabWatcher.of(get_tree())
 	watcher.folder = folder()
 	look_again()
 

@@ -60,7 +60,7 @@ func _init() -> void:
 	for size in _sizes:
 		found += await _look_at(size)
 	DirAccess.remove_absolute(KeptChoices.file)
-	WorkshopWatcher.of_lab(self).free()
+	WorkshopLabWatcher.of(self).free()
 	_clear_desk()
 	DirAccess.remove_absolute(_DESK)
 	quit(mini(found, 1))
@@ -93,7 +93,7 @@ func _open(id: String, hand_ins: PackedStringArray) -> LessonFrame:
 		for file in DirAccess.get_files_at(_HAND_INS.path_join(hand_in)):
 			var from := _HAND_INS.path_join(hand_in).path_join(file)
 			DirAccess.copy_absolute(from, _DESK.path_join(file))
-	var watcher := WorkshopWatcher.of_lab(self)
+	var watcher := WorkshopLabWatcher.of(self)
 	watcher.folder = _DESK
 	watcher.report = null
 	watcher.check_now()

@@ -21,7 +21,7 @@ platforms_of() {
 # names_of [NAME...]: every demo that there is, or those that were asked for, when each of them is one.
 names_of() {
 	local known name
-	known=lab$'\n'$(lesson_ids)
+	known=lab$'\n'$(demo_ids)
 	for name in "$@"; do
 		grep -qxF -- "$name" <<<"$known" || die 2 "there is no demo '$name'; there are: ${known//$'\n'/, }"
 	done

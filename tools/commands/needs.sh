@@ -51,7 +51,7 @@ measure_first_frames() {
 prepare_project
 make_build_folder
 mkdir -p "$LAB_BUILD/needs"
-known=$(lesson_ids)
+known=$(demo_ids)
 for name in "$@"; do
 	grep -qxF -- "$name" <<<"lab"$'\n'"$known" ||
 		die 2 "there is no demo '$name'; there are: lab, ${known//$'\n'/, }"

@@ -39,9 +39,15 @@ const _OF_THE_EDITOR: PackedStringArray = [
 	"debug/gdscript/warnings/unsafe_method_access",
 	"debug/gdscript/warnings/unsafe_cast",
 	"debug/gdscript/warnings/unsafe_call_argument",
+]
+# What the lab alone finds by a setting.
+const _OF_THE_LAB: PackedStringArray = [
 	"vec2_lab/lesson/besides",
 	"vec2_lab/start_screen/besides",
+	"application/run/main_scene.workshop",
 ]
+# A pack with this script holds the starters, too, which Godot itself does not look into.
+const _READS_STARTERS := "res://workshop/kit/files.gd"
 
 var _files_before: Dictionary[String, PackedByteArray] = {}
 var _settings_before: Dictionary[String, Variant] = {}
@@ -78,7 +84,13 @@ func _export_begin(
 		_settings_before[setting] = ProjectSettings.get_setting(setting)
 		_orders_before[setting] = ProjectSettings.get_order(setting)
 		ProjectSettings.clear(setting)
-	for setting: String in _OF_THE_EDITOR:
+	if _READS_STARTERS in files:
+		_add_starters()
+	var unread := _OF_THE_EDITOR.duplicate()
+	for setting: String in _OF_THE_LAB:
+		if not _READS_STARTERS in files:
+			unread.append(setting)
+	for setting: String in unread:
 		_settings_before[setting] = ProjectSettings.get_setting(setting)
 		_orders_before[setting] = ProjectSettings.get_order(setting)
 		ProjectSettings.set_setting(setting, ProjectSettings.property_get_revert(setting))
@@ -93,6 +105,15 @@ func _export_end() -> void:
 	_files_before.clear()
 	_settings_before.clear()
 	_compiled.clear()
+
+
+# The answer key is there as checksums only.
+func _add_starters() -> void:
+	for file: String in WorkshopFiles.CLASSES:
+		var path := WorkshopFiles.STARTERS.path_join(file)
+		add_file(path, FileAccess.get_file_as_bytes(path), false)
+	var key := "\n".join(WorkshopAnswerKey.sums())
+	add_file(WorkshopAnswerKey.PACKED, key.to_utf8_buffer(), false)
 
 
 # Godot hands compiled scripts out only as files of an export: one that is kept here.

@@ -21,10 +21,9 @@ const LESSON_LIMIT := 400_000
 ## world asks of segments that might move.
 const LARGER: Dictionary[String, int] = {"error_and_time": 425_000}
 
-# In a pack no code of a student can be run, so nothing that judges or shows it is there.
-const _IN_NO_PACK: PackedStringArray = [
-	"addons", "benchmarks", "docs", "scenes/workshop", "tests", "tools", "workshop"
-]
+const _IN_NO_PACK: PackedStringArray = ["addons", "benchmarks", "docs", "tests", "tools"]
+# What judges and shows a student's code is in the lab and in the workshop's own demo.
+const _IN_NO_LESSON: PackedStringArray = ["scenes/workshop", "workshop"]
 const _IN_NO_VECTOR_LESSON: PackedStringArray = [
 	"scripts/collision", "scripts/world", "scripts/report", "scenes/engine_cases"
 ]
@@ -48,6 +47,8 @@ static func broken_by(demo: String, pack: Pack) -> PackedStringArray:
 static func _misplaced(demo: String, use: PackUse) -> PackedStringArray:
 	var misplaced: PackedStringArray = []
 	var forbidden := _IN_NO_PACK.duplicate()
+	if not Demos.FEATURES.has(demo):
+		forbidden.append_array(_IN_NO_LESSON)
 	if demo in VECTOR_LESSONS:
 		forbidden.append_array(_IN_NO_VECTOR_LESSON)
 	for path: String in use.resources:

@@ -12,6 +12,16 @@ const ENGINE_FILES: PackedStringArray = [
 	".godot/uid_cache.bin",
 	"input_actions.bin"
 ]
+# What the script reads that knows the student's files; without `res://`.
+const _READS_STARTERS := "res://workshop/kit/files.gd"
+const _READ_BY_IT: PackedStringArray = [
+	"answer_key.txt",
+	"workshop/starters/my_vec2.gd",
+	"workshop/starters/my_line.gd",
+	"workshop/starters/my_impact.gd",
+	"workshop/starters/my_bounce.gd",
+	"workshop/starters/my_aim.gd",
+]
 const _CARD := "res://scenes/shell/lesson_card.gd"
 
 ## Every resource in the pack by its path in the project, such as `res://scripts/vec2.gd`; sorted.
@@ -125,6 +135,8 @@ func _note_unused() -> void:
 	var used := ENGINE_FILES + PackedStringArray([icon.trim_prefix("res://")])
 	for path: String in _reached:
 		used.append_array(_files[path])
+	if _reached.has(_READS_STARTERS):
+		used.append_array(_READ_BY_IT)
 	for file: String in _pack.sizes:
 		if not file in used:
 			unused.append(file)

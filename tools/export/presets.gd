@@ -72,7 +72,7 @@ static func _add(
 		"platform": _PLATFORMS[platform],
 		"runnable": demo == Demos.LAB,
 		"dedicated_server": false,
-		"custom_features": "" if demo == Demos.LAB else "demo",
+		"custom_features": Demos.feature_of(demo),
 		"export_filter": "resources",
 		"export_files": files,
 		"include_filter": "",

@@ -100,6 +100,9 @@ run_script() {
 # The id of every lesson, a line each; after prepare_project.
 lesson_ids() { run_script shared/lesson_ids.gd | sed -n 's/^lesson //p'; }
 
+# The same, and what else has a demo of its own.
+demo_ids() { run_script shared/lesson_ids.gd | sed -n -e 's/^lesson //p' -e 's/^demo //p'; }
+
 has_display() { [ "$(uname -s)" = Darwin ] || [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; }
 
 # The Godot of Debian's packages brings its own drivers.

@@ -1,18 +1,22 @@
 extends RefCounted
-## A demo on the web site: the whole lab, one lesson, or the game. Texts are English, as the pages
-## are.
+## A demo on the web site: the whole lab, one lesson, the game, or the workshop. Texts are English,
+## as the pages are.
 
 const WebDemo := preload("web_demo.gd")
 
 ## The whole lab among the ids of lessons.
 const LAB := "lab"
+## The workshop among them.
+const WORKSHOP := "workshop"
+## Its picture; that of a lesson is in its folder.
+const WORKSHOP_PICTURE := "res://scenes/workshop/room/card.png"
 
 const _LAB_NAME := "Vec2 Lab"
 
 ## Its folder on the site, and the lesson's id.
 var id: String
 
-## A lesson's number; 0 for the whole lab and for the game.
+## A lesson's number; 0 for the whole lab, for the game and for the workshop.
 var number: int
 
 ## Its name.
@@ -22,7 +26,7 @@ var title: String
 var summary: String
 
 
-## The whole lab, then all lessons and the game in the order of the start screen.
+## The whole lab, then all lessons and the game in the order of the start screen, then the workshop.
 static func all() -> Array[WebDemo]:
 	var lessons := LessonAgenda.lessons()
 	var lab := WebDemo.new()
@@ -33,6 +37,7 @@ static func all() -> Array[WebDemo]:
 	var demos: Array[WebDemo] = [lab]
 	for lesson in lessons:
 		demos.append(_of_lesson(lesson))
+	demos.append(_of_workshop())
 	return demos
 
 
@@ -50,6 +55,14 @@ func page_title() -> String:
 ## Whether it is the whole lab.
 func is_lab() -> bool:
 	return id == LAB
+
+
+static func _of_workshop() -> WebDemo:
+	var demo := WebDemo.new()
+	demo.id = WORKSHOP
+	demo.title = "Your own code"
+	demo.summary = "Write the lecture's methods in the browser, and see whether they are right."
+	return demo
 
 
 static func _of_lesson(lesson: LessonInfo) -> WebDemo:

@@ -67,6 +67,7 @@ func _copy_pictures() -> void:
 	_check(DirAccess.make_dir_recursive_absolute(_site.path_join("cards")), "cards")
 	for lesson in LessonIndex.all():
 		_copy(lesson.card_path(), "cards/%s.png" % lesson.id)
+	_copy(WebDemo.WORKSHOP_PICTURE, "cards/%s.png" % WebDemo.WORKSHOP)
 	_copy(_ICON, "icon.svg")
 	_copy(_MANIFEST, "manifest.webmanifest")
 

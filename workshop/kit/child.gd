@@ -18,7 +18,8 @@ var _unread := PackedByteArray()
 
 ## Whether this program can start children: not in a browser, nor in an exported demo.
 static func can_run() -> bool:
-	return is_allowed and OS.has_feature("editor") and not OS.has_feature("web")
+	var can_start := OS.has_feature("editor") and not OS.has_feature("web")
+	return is_allowed and can_start and ResourceLoader.exists(_WORKER)
 
 
 ## Starts a child that judges what is in [param folder]. [param task] is `judge` or `tests`;
@@ -28,7 +29,7 @@ func _init(task: String, folder: String, told := WorkshopReport.new()) -> void:
 	var arguments: PackedStringArray = [
 		"--headless",
 		"--path",
-		ProjectSettings.globalize_path("res://"),
+		ProjectSettings.globalize_path("res:/" + "/"),
 		"--log-file",
 		OS.get_user_data_dir().path_join("workshop_child.log"),
 		"-s",

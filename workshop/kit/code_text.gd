@@ -1,3 +1,4 @@
+@tool
 class_name WorkshopCode
 extends RefCounted
 ## The text of a student's file: what can be told of it without running it.
@@ -10,11 +11,14 @@ class Token:
 	var text: String
 	## The line in which it begins, from 1.
 	var line: int
+	## The place in the text where it begins, from 0.
+	var at: int
 
 	## A token of these characters.
-	func _init(its_text: String, its_line: int) -> void:
+	func _init(its_text: String, its_line: int, its_place: int) -> void:
 		text = its_text
 		line = its_line
+		at = its_place
 
 	## Whether it is a name or a keyword.
 	func is_name() -> bool:
@@ -25,10 +29,12 @@ class Token:
 const LARGEST := 100_000
 
 const _TOKEN := (
-	r'(?s)(?<string>&?"""(?:\\.|[^\\])*?"""|[&^r]?"(?:\\.|[^"\\\n])*"|[&^r]?\'(?:\\.|[^\'\\\n])*\')'
+	r"(?s)(?<string>[&^r]?\"\"\"(?:\\.|[^\\])*?\"\"\"|[&^r]?'''(?:\\.|[^\\])*?'''"
+	+ r"|[&^r]?\"(?:\\.|[^\"\\\n])*\"|[&^r]?'(?:\\.|[^'\\\n])*')"
 	+ r"|(?<comment>#[^\n]*)|(?<name>[A-Za-z_]\w*)|(?<number>\d[\w.]*)|(?<sign>\S)"
 )
-const _KEYWORDS: PackedStringArray = [
+## Words of the language behind which a value begins.
+const KEYWORDS: PackedStringArray = [
 	"if",
 	"elif",
 	"else",
@@ -69,7 +75,7 @@ func tokens() -> Array[Token]:
 		line += text.substr(counted, hit.get_start() - counted).count("\n")
 		counted = hit.get_start()
 		if not hit.get_string("comment"):
-			found.append(Token.new(hit.get_string(), line))
+			found.append(Token.new(hit.get_string(), line, hit.get_start()))
 	return found
 
 
@@ -93,7 +99,7 @@ func line_of(function: String) -> int:
 func shape_of(function: String) -> PackedStringArray:
 	var shape: PackedStringArray = []
 	for token in body_of(function):
-		shape.append("n" if token.is_name() and not token.text in _KEYWORDS else token.text)
+		shape.append("n" if token.is_name() and not token.text in KEYWORDS else token.text)
 	return shape
 
 

@@ -1,28 +1,19 @@
 class_name WorkshopCompiler
 extends RefCounted
-## Compiles a student's files from their text, in the child only: all of them together, as classes
-## inside one script. So it does not matter what stands in his files on the disk, nor whether the
-## editor knows his classes already, and each file sees the others.
+## Compiles a student's files from their text, all of them together, as classes inside one script.
+## So it does not matter what stands in his files on the disk, nor whether the editor knows his
+## classes already, and each file sees the others. Only a child may run them, unless they are
+## guarded.
 
-const _PLACE := "res://workshop/judged.gd"
-const _TEST_PLACE := "res://workshop/judged_test.gd"
+# In two parts, because no export has to look for them.
+const _PLACE := "res:/" + "/workshop/judged.gd"
+const _TEST_PLACE := "res:/" + "/workshop/judged_test.gd"
 # Only GUT itself has this name; its stand-in has a file in the same place.
 const _BY_NAME := r"(?m)^extends[ \t]+GutTest\b"
 const _BY_PLACE := 'extends "res://addons/gut/test.gd"'
-# A body with this many tokens is not written the same way twice by chance.
-const _LONG := 40
-const _KEY_FILES: PackedStringArray = [
-	"res://scripts/vec2.gd",
-	"res://scripts/collision/segment_impact.gd",
-	"res://scripts/collision/cap_impact.gd",
-	"res://scripts/collision/point_of_impact.gd",
-	"res://scripts/collision/straight_impact_finder.gd",
-	"res://scripts/aiming/lead_aim.gd",
-	"res://scripts/aiming/ballistic_aim.gd",
-	"res://scripts/aiming/bank_aim.gd",
-]
 
-static var _shapes_of_key: Dictionary[String, bool] = {}
+## Whether what is compiled has guards in it, see [WorkshopGuard].
+var is_guarded := false
 
 ## The compiled classes by their names, such as `MyVec2`.
 var classes: Dictionary[String, GDScript] = {}
@@ -35,11 +26,15 @@ var _errors: WorkshopHeardErrors
 var _declared: Dictionary[String, bool] = {}
 # What has been compiled without a mistake so far.
 var _texts: Dictionary[String, String] = {}
+# The same with guards, and what the functions in it give back.
+var _guarded: Dictionary[String, WorkshopGuardedCode] = {}
+var _types: Dictionary[String, String] = {}
 
 
 ## Prepares with [param errors], which hears the engine already.
-func _init(errors: WorkshopHeardErrors) -> void:
+func _init(errors: WorkshopHeardErrors, with_guards: bool = false) -> void:
 	_errors = errors
+	is_guarded = with_guards
 
 
 ## Compiles the classes among these files, by their names.
@@ -79,17 +74,47 @@ func _compile_class(file: String) -> void:
 			LabText.translate("my_vec2.gd cannot be used yet: mend it first.")
 		)
 		return
-	var with_it := WorkshopTogether.new("")
-	for earlier in _texts:
-		with_it.add(earlier, _texts[earlier])
-	with_it.add(file, codes[file].text)
-	var script := _compiled(file, with_it, _PLACE)
+	var script := _compiled(file, _together_with(file), _PLACE)
+	if script and is_guarded:
+		script = _compiled_with_guards(file)
 	if script:
 		_texts[file] = codes[file].text
 		for compiled in _texts:
 			var of_class: String = WorkshopFiles.CLASSES[compiled]
 			var constants := script.get_script_constant_map()
 			classes[of_class] = WorkshopAny.script(constants[WorkshopTogether.inside(of_class)])
+
+
+# This file behind all that are compiled.
+func _together_with(file: String) -> WorkshopTogether:
+	var together := WorkshopTogether.new("")
+	for earlier in _texts:
+		together.add(earlier, _texts[earlier])
+	together.add(file, codes[file].text)
+	return together
+
+
+# The file can be compiled as it is; only what comes of this is ever run.
+func _compiled_with_guards(file: String) -> GDScript:
+	_types.merge(WorkshopGuardedCode.types_in(codes[file].text), true)
+	_guarded[file] = WorkshopGuardedCode.new(codes[file].text, _types)
+	if not _guarded[file].problem:
+		var script := _compiled(file, _together_guarded(), _PLACE)
+		if script:
+			return script
+	var sentence := _guarded[file].problem
+	if not sentence:
+		sentence = LabText.translate("This cannot be run safely in the browser; in Godot it can.")
+	_add_problem(file, WorkshopVerdict.Kind.REFUSED, _guarded[file].problem_line, sentence)
+	_guarded.erase(file)
+	return null
+
+
+func _together_guarded() -> WorkshopTogether:
+	var together := WorkshopTogether.new("")
+	for file in _guarded:
+		together.add(file, _guarded[file].text)
+	return together
 
 
 func _may_be_compiled(file: String, is_test: bool) -> bool:
@@ -110,7 +135,16 @@ func _may_be_compiled(file: String, is_test: bool) -> bool:
 		var sentence := LabText.translate("Tabs and spaces are mixed: indent every line with tabs.")
 		_add_problem(file, WorkshopVerdict.Kind.UNREADABLE, mixed, sentence)
 		return false
-	return _is_his_own(file) and _uses_known_names(file, is_test) and _has_its_name(file)
+	if not (_is_his_own(file) and _uses_known_names(file, is_test) and _has_its_name(file)):
+		return false
+	return not is_guarded or _can_be_guarded(file)
+
+
+func _can_be_guarded(file: String) -> bool:
+	var limits := WorkshopGuardLimits.new(codes[file].text)
+	if limits.sentence:
+		_add_problem(file, WorkshopVerdict.Kind.REFUSED, limits.line, limits.sentence)
+	return not limits.sentence
 
 
 func _uses_known_names(file: String, is_test: bool) -> bool:
@@ -129,8 +163,7 @@ func _uses_known_names(file: String, is_test: bool) -> bool:
 # A method of the answer key, written down again, tells nothing of the student.
 func _is_his_own(file: String) -> bool:
 	for function in codes[file].functions():
-		var shape := codes[file].shape_of(function)
-		if shape.size() >= _LONG and _key_shapes().has(" ".join(shape)):
+		if WorkshopAnswerKey.has(codes[file].shape_of(function)):
 			var sentence := LabText.translate("%s is the lab's own code: write it yourself.")
 			var line := codes[file].line_of(function)
 			_add_problem(file, WorkshopVerdict.Kind.REFUSED, line, sentence % function)
@@ -152,18 +185,6 @@ func _has_its_name(file: String) -> bool:
 	return false
 
 
-static func _key_shapes() -> Dictionary[String, bool]:
-	if _shapes_of_key:
-		return _shapes_of_key
-	var shapes: Dictionary[String, bool] = {}
-	for path in _KEY_FILES:
-		var code := WorkshopCode.new(FileAccess.get_file_as_bytes(path))
-		for function in code.functions():
-			shapes[" ".join(code.shape_of(function))] = true
-	_shapes_of_key = shapes
-	return shapes
-
-
 func _compiled(file: String, together: WorkshopTogether, place: String) -> GDScript:
 	var script := GDScript.new()
 	script.source_code = together.text
@@ -173,11 +194,12 @@ func _compiled(file: String, together: WorkshopTogether, place: String) -> GDScr
 		return script
 	var line := 0
 	var sentence := LabText.translate("Godot cannot read this file.")
-	if _errors.heard:
+	if _errors.heard and not _guarded.has(file):
 		line = together.line_in(file, _errors.heard[0].line)
 		var message := WorkshopTogether.with_his_names(_errors.heard[0].message)
 		sentence = WorkshopSentences.of_form(message, _names())
-	_add_problem(file, WorkshopVerdict.Kind.UNREADABLE, line, sentence)
+	if not _guarded.has(file):
+		_add_problem(file, WorkshopVerdict.Kind.UNREADABLE, line, sentence)
 	return null
 
 
@@ -200,9 +222,13 @@ func _names() -> PackedStringArray:
 	return names
 
 
-## The line in a student's file for a line of the script that holds all of them.
-func line_in(file: String, line: int) -> int:
+## The line in a student's file that [param heard] means.
+func line_in(heard: WorkshopHeardErrors.Heard, file: String) -> int:
+	if not heard.file:
+		return heard.line
+	if _guarded.has(file):
+		return _guarded[file].line_of(_together_guarded().line_in(file, heard.line))
 	var with_all := WorkshopTogether.new("")
 	for compiled in _texts:
 		with_all.add(compiled, _texts[compiled])
-	return with_all.line_in(file, line)
+	return with_all.line_in(file, heard.line)

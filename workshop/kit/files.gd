@@ -3,7 +3,7 @@ extends RefCounted
 ## The student's files: their names, and the starters that they begin as.
 
 ## The folder in which the student writes.
-const FOLDER := "res://workshop"
+const FOLDER := "res:/" + "/workshop"
 ## The class that each of his files holds, in the order in which they are compiled.
 const CLASSES: Dictionary[String, String] = {
 	"my_vec2.gd": "MyVec2",
@@ -15,17 +15,18 @@ const CLASSES: Dictionary[String, String] = {
 ## What the names of his tests begin with.
 const TEST_PREFIX := "test_my_"
 
-const _STARTERS := "res://workshop/starters"
+## Where the starters are. In two parts, because they are no scripts that an export would look for.
+const STARTERS := "res:/" + "/workshop/starters"
 
 
 ## The names of all starters.
 static func starters() -> PackedStringArray:
-	return DirAccess.get_files_at(_STARTERS)
+	return DirAccess.get_files_at(STARTERS)
 
 
 ## The text of a starter.
 static func starter(file: String) -> String:
-	return FileAccess.get_file_as_string(_STARTERS.path_join(file))
+	return FileAccess.get_file_as_string(STARTERS.path_join(file))
 
 
 ## Copies the starters to where a file is missing; a file that is there stays as it is. Returns what
@@ -35,7 +36,7 @@ static func put_starters(folder: String = FOLDER) -> PackedStringArray:
 	for file in starters():
 		var place := folder.path_join(file)
 		if file.get_extension() == "gd" and not FileAccess.file_exists(place):
-			if DirAccess.copy_absolute(_STARTERS.path_join(file), place) == OK:
+			if DirAccess.copy_absolute(STARTERS.path_join(file), place) == OK:
 				copied.append(file)
 	return copied
 

@@ -3,7 +3,7 @@ extends Logger
 ## Hears what the engine says of a student's code: mistakes of form, and what stops a method.
 
 const _MOST := 20
-const _HIS := "res://workshop/judged"
+const _HIS := "res:/" + "/workshop/judged"
 const _SCRIPT := Logger.ERROR_TYPE_SCRIPT
 
 
@@ -12,7 +12,7 @@ class Heard:
 	extends RefCounted
 	## What it said.
 	var message: String
-	## The file that it means.
+	## The file that it means; "" where a guard says it of the student's own file.
 	var file: String
 	## The line in it, from 1.
 	var line: int
@@ -28,6 +28,15 @@ var has_overflowed := false
 func begin() -> void:
 	heard.clear()
 	has_overflowed = false
+
+
+## Adds what a guard in the student's code has found in [param line] of his file.
+func add(message: String, line: int) -> void:
+	if heard.size() < _MOST:
+		var added := Heard.new()
+		added.message = message
+		added.line = line
+		heard.append(added)
 
 
 func _log_error(

@@ -1,7 +1,7 @@
 class_name WorkshopJudge
 extends RefCounted
-## Judges all exercises of a student, one after the other. Only a child process may use it: the
-## student's code runs here.
+## Judges all exercises of a student, one after the other. The student's code runs here: so only a
+## child process may use it, unless the code is guarded.
 
 ## Filled exercise by exercise.
 var report := WorkshopReport.new()
@@ -20,14 +20,18 @@ var _is_read := false
 
 
 ## Prepares; [param errors] hears the engine already, and [param watchdog] watches. What calls one
-## of the methods in [param stopped] is not run: they have ended a child before.
+## of the methods in [param stopped] is not run: they have ended a child before. A watchdog that was
+## not started watches nothing: then the code must be guarded.
 func _init(
-	errors: WorkshopHeardErrors, watchdog: WorkshopWatchdog, stopped: PackedStringArray
+	errors: WorkshopHeardErrors,
+	watchdog: WorkshopWatchdog,
+	stopped: PackedStringArray,
+	with_guards: bool = false
 ) -> void:
 	_stopped = stopped
 	_errors = errors
 	_watchdog = watchdog
-	compiler = WorkshopCompiler.new(errors)
+	compiler = WorkshopCompiler.new(errors, with_guards)
 
 
 ## Judges what is in these files, by their names, but for the exercises in [param skipped], which
@@ -42,6 +46,10 @@ func judge(files: Dictionary[String, PackedByteArray], skipped: PackedInt32Array
 		if exercise.tasks and not exercise.number in skipped:
 			_watchdog.allow(WorkshopWatchdog.LONGEST)
 			report.verdicts[exercise.number] = _verdict_on(exercise)
+			if compiler.is_guarded and WorkshopGuard.over:
+				_go_on_without(report.verdicts[exercise.number])
+			if report.is_complete:
+				break
 	_watchdog.rest()
 	report.is_complete = true
 
@@ -84,11 +92,16 @@ func verdict_at_the_end(kind: WorkshopVerdict.Kind) -> WorkshopVerdict:
 		return verdict
 	if compiler.codes.has(verdict.file):
 		verdict.line = compiler.codes[verdict.file].line_of(verdict.method)
-	var sentence := LabText.translate("%s does not come to an end for %s.")
-	if kind == WorkshopVerdict.Kind.MEMORY:
-		sentence = LabText.translate("%s takes too much memory for %s.")
-	verdict.sentence = sentence % [verdict.method, verdict.probe]
+	verdict.sentence = WorkshopVerdict.sentence_of_end(kind, verdict.method, verdict.probe)
 	return verdict
+
+
+# A guard has stopped a method, as otherwise the watchdog would have: what calls it is not run.
+func _go_on_without(verdict: WorkshopVerdict) -> void:
+	WorkshopGuard.begin(_errors)
+	if verdict.method and not _errors.has_overflowed:
+		_stopped.append(verdict.method)
+		report.go_on_after_end(-1)
 
 
 func _has_method(task: WorkshopTask) -> bool:
@@ -131,8 +144,10 @@ func _verdict_on_methods(exercise: WorkshopExercise, code: WorkshopCode) -> Work
 		if not last.is_right():
 			_blame_what_it_uses(last, task, code)
 			return last
-		_add_costs(costs, task)
-	last.costs = costs
+		# Guards take most of the time.
+		if not compiler.is_guarded:
+			_add_costs(costs, task)
+			last.costs = costs
 	return last
 
 

@@ -11,8 +11,9 @@ var _errors: WorkshopHeardErrors
 var _verdict: WorkshopVerdict
 var _answers: Array[PackedFloat64Array] = []
 var _rights: Array[PackedFloat64Array] = []
-# The line in his file for a line that the engine names.
+# The line in his file that was heard of.
 var _line_of: Callable
+var _is_guarded := false
 var _has_given_copy := false
 var _spoiled: WorkshopProbe = null
 
@@ -20,7 +21,8 @@ var _spoiled: WorkshopProbe = null
 ## Prepares for the method [param task] in the file that [param compiler] has compiled.
 func _init(task: WorkshopTask, compiler: WorkshopCompiler, errors: WorkshopHeardErrors) -> void:
 	var file := WorkshopFiles.file_of(task.home)
-	_line_of = func(line: int) -> int: return compiler.line_in(file, line)
+	_line_of = compiler.line_in.bind(file)
+	_is_guarded = compiler.is_guarded
 	_task = task
 	_code = compiler.codes[file]
 	_errors = errors
@@ -89,7 +91,7 @@ func _is_begun() -> bool:
 
 
 func _makes_vectors(vector: GDScript) -> bool:
-	_errors.begin()
+	_begin(1)
 	var made: Variant = vector.callv(&"new", [3.0, 4.0])
 	if made is Object:
 		var three_four := WorkshopAny.object(made)
@@ -111,15 +113,20 @@ func _makes_balls(home: GDScript) -> bool:
 
 func _try(trying: WorkshopCall, probe: WorkshopProbe) -> bool:
 	probe_now = probe
-	_errors.begin()
+	_begin(probe.repeats)
 	var answer := trying.run_probe(probe)
 	var right := WorkshopCall.right_answer(_task, probe)
 	_note(probe, answer.numbers, right)
 	if _errors.has_overflowed:
 		var endless := LabText.translate("%s calls itself without end.") % _task.method
 		return _stop(WorkshopVerdict.Kind.ENDLESS, endless)
+	if _is_guarded and WorkshopGuard.over:
+		return _stop_at_guard(probe)
 	if _errors.heard:
-		_verdict.line = _line_of.call(_errors.heard[0].line)
+		_verdict.line = _line_of.call(_errors.heard[0])
+		# A guard does not end the method: what came back is not what it would be.
+		if not _errors.heard[0].file:
+			_verdict.got.clear()
 		var message := _errors.heard[0].message
 		var sentence := WorkshopSentences.of_stop(message, _code.functions())
 		return _stop(WorkshopVerdict.Kind.BROKEN, sentence)
@@ -136,6 +143,20 @@ func _try(trying: WorkshopCall, probe: WorkshopProbe) -> bool:
 	_answers.append(answer.numbers)
 	_rights.append(right)
 	return true
+
+
+func _begin(repeats: int) -> void:
+	_errors.begin()
+	if _is_guarded:
+		WorkshopGuard.begin(_errors, repeats)
+
+
+func _stop_at_guard(probe: WorkshopProbe) -> bool:
+	var kind := WorkshopGuard.kind
+	_verdict.line = WorkshopGuard.line
+	_verdict.got.clear()
+	_verdict.wanted.clear()
+	return _stop(kind, WorkshopVerdict.sentence_of_end(kind, _task.method, probe.title))
 
 
 func _wrong_kind(came_back: String) -> String:

@@ -25,7 +25,7 @@ func add(file: String, its_text: String) -> void:
 	text += "class %s:\n" % inside(of_class)
 	_offsets[file] = text.count("\n")
 	var bare := RegEx.create_from_string(_CLASS_NAME).sub(_renamed(its_text), "")
-	for line in _with_tabs(bare).split("\n"):
+	for line in with_tabs(bare).split("\n"):
 		text += ("\t" + line.strip_edges(false, true) if line.strip_edges() else "") + "\n"
 	text += "\tpass\n"
 
@@ -49,8 +49,8 @@ static func _renamed(his_text: String) -> String:
 	return RegEx.create_from_string(_HIS_NAMES).sub(his_text, "Judged$1", true)
 
 
-# Each step of indentation as a tab, for a text that is indented with spaces.
-static func _with_tabs(his_text: String) -> String:
+## Each step of indentation as a tab, for a text that is indented with spaces.
+static func with_tabs(his_text: String) -> String:
 	var step := 0
 	for line in his_text.split("\n"):
 		var spaces := line.length() - line.lstrip(" ").length()

@@ -72,6 +72,14 @@ static func sentence_of_open(its_method: String, its_file: String) -> String:
 	return LabText.translate("Write %s in %s.") % [its_method, its_file]
 
 
+## What is said of a method that had to be ended while it ran for [param its_probe].
+static func sentence_of_end(its_kind: Kind, its_method: String, its_probe: String) -> String:
+	var form := LabText.translate("%s does not come to an end for %s.")
+	if its_kind == Kind.MEMORY:
+		form = LabText.translate("%s takes too much memory for %s.")
+	return form % [its_method, its_probe]
+
+
 ## Numbers as a student reads them.
 static func text_of(numbers: PackedFloat64Array) -> String:
 	var texts: PackedStringArray = []

@@ -19,8 +19,6 @@ const PATIENCE := 20.0
 ## The same for one that runs his tests once for every wrong way.
 const PATIENCE_WITH_TESTS := 60.0
 
-static var _of_lab: WorkshopWatcher
-
 ## The folder with the student's files.
 var folder := WorkshopFiles.FOLDER
 ## What is known about the files as they are now; null before the first time.
@@ -37,15 +35,6 @@ var _tester: WorkshopChild = null
 var _tester_since := 0.0
 var _questions := 0
 var _pending: Dictionary = {}
-
-
-## The one watcher of the lab that runs in [param tree]: all lessons share it, and it outlives each
-## of them. It begins when it is wanted first.
-static func of_lab(tree: SceneTree) -> WorkshopWatcher:
-	if not is_instance_valid(_of_lab):
-		_of_lab = WorkshopWatcher.new()
-		tree.root.add_child.call_deferred(_of_lab)
-	return _of_lab
 
 
 func _ready() -> void:

@@ -38,11 +38,10 @@ func _ready() -> void:
 	_is_around.toggled.connect(_show_all.unbind(1))
 	_board.resized.connect(_fit)
 	Conventions.changed().connect(_turn_over)
-	if WorkshopChild.can_run():
-		_watcher = WorkshopWatcher.of_lab(get_tree())
-		_watcher.judged.connect(_show_all.unbind(1))
-		_watcher.began.connect(_show_all)
-		_watcher.answered.connect(_take_answer)
+	_watcher = WorkshopLabWatcher.of(get_tree())
+	_watcher.judged.connect(_show_all.unbind(1))
+	_watcher.began.connect(_show_all)
+	_watcher.answered.connect(_take_answer)
 	_turn_over()
 
 
@@ -116,14 +115,13 @@ func _answer() -> Vec2:
 
 
 func _report_verdict() -> WorkshopVerdict:
-	var is_known := _watcher and _watcher.report and _watcher.report.is_complete
+	var is_known := _watcher.report and _watcher.report.is_complete
 	return _watcher.report.verdict(_EXERCISE) if is_known else null
 
 
 func _show_verdict() -> void:
 	var verdict := _report_verdict()
 	_verdict.text = verdict.sentence if verdict else tr("Looking at your code")
-	_verdict.visible = _watcher != null
 
 
 func _ask() -> void:

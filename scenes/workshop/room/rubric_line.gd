@@ -65,6 +65,8 @@ func told(report: WorkshopReport) -> String:
 		Proof.RUN_TIME:
 			return _told_run_time(report)
 		Proof.TESTS, Proof.ALL_TESTS:
+			if not WorkshopChild.can_run():
+				return LabText.translate("Godot on your computer tells it, not the browser.")
 			var unwritten := LabText.translate("Write your tests in %s.") % "test_my_vec2.gd"
 			return report.tests.sentence() if report.tests else unwritten
 		Proof.EXCELLENT:
@@ -97,6 +99,8 @@ static func _told_run_time(report: WorkshopReport) -> String:
 	for verdict: WorkshopVerdict in report.verdicts.values():
 		if is_finite(verdict.ratio()):
 			ratios.append(verdict.ratio())
+	if not WorkshopChild.can_run():
+		return LabText.translate("Godot on your computer tells it, not the browser.")
 	if ratios.is_empty():
 		return LabText.translate("It is measured as soon as an exercise is right.")
 	ratios.sort()

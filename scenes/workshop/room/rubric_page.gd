@@ -25,9 +25,7 @@ func _ready() -> void:
 	_rotation.pressed.connect(rotation_wanted.emit)
 	_add_lines()
 	_show_report(null)
-	if not WorkshopChild.can_run():
-		return
-	_watcher = WorkshopWatcher.of_lab(get_tree())
+	_watcher = WorkshopLabWatcher.of(get_tree())
 	_watcher.judged.connect(_show_report)
 	_watcher.began.connect(_show_report.bind(null))
 	_show_report(_watcher.report)

@@ -3,6 +3,11 @@ extends ShelfCard
 ## A card of the workshop on the start screen: title and line are in its scene.
 
 
+## Shows another line than that of its scene.
+func summarize(words: String) -> void:
+	_summary.text = words
+
+
 ## Shows how far the student is; [param is_reached]: something is.
 func show_progress(words: String, is_reached: bool) -> void:
 	var role := Palette.Role.RIGHT if is_reached else Palette.Role.QUIET

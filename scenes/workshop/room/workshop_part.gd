@@ -1,27 +1,26 @@
 extends Node
 ## What the workshop adds to the start screen: a heading, a card that opens the next exercise, and
-## one that opens the rubric.
+## one that opens the rubric. Where no child can be started, as in a browser, the exercises are
+## written in the lab itself.
 
 const _HEADING := preload("res://scenes/shell/lesson_heading.tscn")
 const _CODE_CARD := preload("res://scenes/workshop/room/code_card.tscn")
 const _RUBRIC_CARD := preload("res://scenes/workshop/room/rubric_card.tscn")
 # What the keys do in a word: source text.
 const _ACTIONS: Dictionary[StringName, String] = {&"lab_own_code": "own code"}
-const _NO_ACTIONS: Dictionary[StringName, String] = {}
 
 var _code: WorkshopCard
 var _rubric: WorkshopCard
 
 
 ## Adds heading and cards to [param shelf], and returns the keys that it knows, with what each does.
-## Adds nothing where no code can be judged.
 func add_to(shelf: LessonShelf) -> Dictionary[StringName, String]:
-	if not WorkshopChild.can_run():
-		return _NO_ACTIONS
 	_add_heading(shelf)
 	_code = _add_card(shelf, _CODE_CARD, WorkshopWays.open_next)
+	if not WorkshopChild.can_run():
+		_code.summarize(tr("Write the next method here, and see at once whether it is right."))
 	_rubric = _add_card(shelf, _RUBRIC_CARD, WorkshopWays.open_rubric)
-	var watcher := WorkshopWatcher.of_lab(get_tree())
+	var watcher := WorkshopLabWatcher.of(get_tree())
 	watcher.judged.connect(_show_report)
 	watcher.began.connect(_show_report.bind(null))
 	_show_report(watcher.report)
@@ -31,7 +30,7 @@ func add_to(shelf: LessonShelf) -> Dictionary[StringName, String]:
 
 
 func _unhandled_input(event: InputEvent) -> void:
-	if _code and event.is_action_pressed(&"lab_own_code", false, true):
+	if event.is_action_pressed(&"lab_own_code", false, true):
 		WorkshopWays.open_next(get_tree())
 
 

@@ -17,9 +17,7 @@ var _is_through := false
 func _ready() -> void:
 	super()
 	_say()
-	if not WorkshopChild.can_run():
-		return
-	var watcher := WorkshopWatcher.of_lab(get_tree())
+	var watcher := WorkshopLabWatcher.of(get_tree())
 	watcher.judged.connect(_lead_on)
 	if watcher.report:
 		_lead_on(watcher.report)
@@ -32,8 +30,6 @@ func _say_again() -> void:
 
 func _say() -> void:
 	_said.text = tr("Looking at your code")
-	if not WorkshopChild.can_run():
-		_said.text = tr("Your own code runs where the project is open in Godot, not in a demo.")
 
 
 func _lead_on(report: WorkshopReport) -> void:

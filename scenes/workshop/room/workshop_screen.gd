@@ -28,10 +28,11 @@ func _ready() -> void:
 	if _back.visible:
 		_purposes = _WAY_BACK.merged(_purposes)
 		_back.grab_focus()
-	if WorkshopChild.can_run():
-		_purposes.merge(OwnCode.ACTIONS)
+	_purposes.merge(OwnCode.ACTIONS)
 	resized.connect(_show_help)
 	_tell_keys(false)
+	PageText.tell_page(self, [self])
+	PageFocus.tell_page(self)
 
 
 # Whoever uses a finger has no keys to be told of, until one is pressed.
@@ -48,8 +49,8 @@ func _unhandled_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"lab_back"):
 		get_viewport().set_input_as_handled()
 		left.emit()
-	elif WorkshopChild.can_run() and event.is_action_pressed(&"lab_check_code", false, true):
-		WorkshopWatcher.of_lab(get_tree()).check_now()
+	elif event.is_action_pressed(&"lab_check_code", false, true):
+		WorkshopLabWatcher.of(get_tree()).check_now()
 
 
 # In the language that is spoken now. What is in the scene, the engine says anew by itself.

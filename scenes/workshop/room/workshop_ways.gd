@@ -5,19 +5,40 @@ extends RefCounted
 
 const _ROOM := "res://scenes/workshop/room/workshop_room.tscn"
 const _RUBRIC := "res://scenes/workshop/room/rubric_page.tscn"
+const _CODE := "res://scenes/workshop/room/code_page.tscn"
 const _ROTATION := "res://scenes/workshop/room/rotation_room.tscn"
 
 # The student comes back from the workshop: the start screen begins at its card.
 static var _comes_back := false
 
 
-## Opens what comes next, as soon as the student's files have been looked at.
+## Opens what comes next, as soon as the student's files have been looked at. Where he writes in the
+## lab itself that is the page for it.
 static func open_next(tree: SceneTree) -> void:
+	if not WorkshopChild.can_run():
+		open_code(tree)
+		return
 	var room := _made(_ROOM) as WorkshopRoom
 	room.left.connect(open_start_screen.bind(tree))
 	room.lesson_wanted.connect(_open_lesson.bind(tree))
 	room.rubric_wanted.connect(open_rubric.bind(tree))
 	Navigation.open_screen(tree, room)
+
+
+## Opens the page on which the student writes.
+static func open_code(tree: SceneTree) -> void:
+	var page := _made(_CODE) as CodePage
+	page.left.connect(open_start_screen.bind(tree))
+	Navigation.open_screen(tree, page)
+
+
+## Opens the page on which the student writes, at [param exercise]. From there he comes back to
+## [param lesson].
+static func open_code_of(exercise: WorkshopExercise, lesson: LessonInfo, tree: SceneTree) -> void:
+	var page := _made(_CODE) as CodePage
+	page.left.connect(_open_lesson.bind(lesson, tree))
+	CodePage.choose(exercise)
+	Navigation.open_screen(tree, page)
 
 
 ## Opens the page with the rubric.

@@ -1,6 +1,6 @@
 extends LabTest
-## The real packs of three demos, exported here: the lab, the smallest and a large lesson. `./lab
-## needs` does the same with all of them.
+## The real packs of four demos, exported here: the lab, the smallest and a large lesson, and the
+## workshop. `./lab needs` does the same with all of them.
 
 const CollectTexts := preload("res://tools/texts/collect_texts.gd")
 const CompiledScript := preload("res://tools/export/compiled_script.gd")
@@ -10,7 +10,8 @@ const Presets := preload("res://tools/export/presets.gd")
 const WrittenCode := preload("res://tools/export/written_code.gd")
 
 const _FOLDER := "res://build/test/packs"
-const _DEMOS: PackedStringArray = ["lab", "dot_product", "angled_lines"]
+const _DEMOS: PackedStringArray = ["lab", "dot_product", "angled_lines", "workshop"]
+const _LESSONS: PackedStringArray = ["dot_product", "angled_lines"]
 const _CALLER := """
 extends SceneTree
 func _init() -> void:
@@ -58,20 +59,20 @@ func test_no_pack_holds_or_names_tests_tools_documents_or_the_test_runner() -> v
 			assert_false(lists.contains("res://%s/" % folder), "%s holds %s" % [demo, folder])
 
 
-func test_no_pack_holds_a_word_of_the_workshop() -> void:
+func test_no_lesson_holds_a_word_of_the_workshop() -> void:
 	var all := CollectTexts.messages()
 	var of_workshop := all.keys().filter(
 		func(message: String) -> bool: return _is_of_workshop(all[message])
 	)
 	assert_gt(of_workshop.size(), 200)
 	assert_has(_texts_in("dot_product"), "The dot product", "texts are found in a pack")
-	for demo: String in _DEMOS:
+	for demo: String in _LESSONS:
 		for message in _texts_in(demo):
 			assert_does_not_have(of_workshop, message, demo)
 
 
-func test_no_pack_holds_or_names_the_workshop() -> void:
-	for demo: String in _DEMOS:
+func test_no_lesson_holds_or_names_the_workshop() -> void:
+	for demo: String in _LESSONS:
 		for file: String in _packs[demo].sizes:
 			assert_false(file.contains("workshop"), "%s holds %s" % [demo, file])
 		assert_false(_list_of_classes(demo).contains("workshop"), demo)
@@ -81,6 +82,17 @@ func test_no_pack_holds_or_names_the_workshop() -> void:
 		assert_false(settings.contains("workshop".to_utf8_buffer().hex_encode()), demo)
 
 
+func test_the_workshop_holds_the_starters_and_no_answer_but_as_a_checksum() -> void:
+	var sizes := _packs["workshop"].sizes
+	for file: String in WorkshopFiles.CLASSES:
+		assert_has(sizes, "workshop/starters/" + file)
+	var key := _packs["workshop"].bytes_of("answer_key.txt").get_string_from_utf8().split("\n")
+	assert_eq(key, WorkshopAnswerKey.sums())
+	assert_gt(key.size(), 10)
+	for file: String in sizes:
+		assert_false(file.begins_with("scenes/lessons/normals"), file)
+
+
 func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
 	var classes := FileAccess.get_file_as_string("res://.godot/global_script_class_cache.cfg")
 	assert_string_contains(classes, "res://tests/support/lab_test.gd")
@@ -88,8 +100,9 @@ func test_the_export_leaves_the_projects_own_list_of_classes_whole() -> void:
 
 
 func test_a_pack_holds_the_input_actions_of_its_scripts_only() -> void:
-	for demo: String in _DEMOS:
+	for demo: String in _LESSONS:
 		assert_has(_actions_in(demo), &"lab_copy_link", demo)
+	assert_has(_actions_in("workshop"), &"lab_check_code")
 	assert_has(_actions_in("angled_lines"), &"lab_gravity_left")
 	assert_does_not_have(_actions_in("dot_product"), &"lab_gravity_left")
 

@@ -197,12 +197,25 @@ func test_undo_and_links_know_nothing_of_it() -> void:
 	assert_true(Screen.button(screen(), "Undo").disabled)
 
 
-func test_without_children_there_is_nothing() -> void:
+func test_without_children_what_is_written_in_the_lab_is_shown_and_written_on_from_here() -> void:
 	WorkshopChild.is_allowed = false
+	await student.settle()
+	watcher.free()
+	var exercise := WorkshopIndex.exercise(3)
+	WorkshopKeptCode.keep(exercise, "func dot(other):\n\treturn x * other.x - y * other.y\n")
 	Navigation.open_lesson(get_tree(), LessonIndex.find(&"dot_product"))
 	await student.settle()
-	assert_null(section())
-	assert_null(answers())
+	assert_reads("The two products are subtracted: add them.")
+	for frame_number in 10:
+		await student.settle()
+	assert_eq(answers().shown("dot").answer, PackedFloat64Array([62.0]))
+	section().unfold()
+	await student.click(section().get_node("%Write") as Button)
+	assert_true(screen() is CodePage)
+	assert_string_contains((screen().get_node("%Field") as CodeField).text, "- y * other.y")
+	(screen().get_node("%Back") as Button).grab_focus()
+	await student.press_key(KEY_ESCAPE)
+	assert_eq(frame().lesson_info.id, &"dot_product")
 
 
 func test_a_lesson_without_exercises_has_none() -> void:

@@ -54,16 +54,21 @@ func test_where_only_the_tests_are_left_it_opens_the_rubric() -> void:
 	assert_reads("Reached: sufficient")
 
 
-func test_where_nothing_can_be_judged_there_are_no_cards_and_the_workshop_says_why() -> void:
+func test_where_no_child_can_be_started_the_card_opens_the_page_to_write_on_and_leads_back(
+) -> void:
 	WorkshopChild.is_allowed = false
-	await open_start_screen()
-	assert_true(_cards().is_empty())
-	assert_does_not_read("The workshop")
-	var help := (screen().get_node("%Help") as Label).text
-	assert_false(help.contains("own"), help)
-	WorkshopWays.open_next(get_tree())
+	# The next one that is asked for is that of a page.
 	await student.settle()
-	assert_reads("Your own code runs where the project is open in Godot, not in a demo.")
+	watcher.free()
+	await open_start_screen()
+	assert_true(Screen.reads(_cards()[0], "0 of 15 right"))
+	assert_true(Screen.reads(_cards()[0], "Write the next method here"))
+	await student.click(_cards()[0])
+	assert_true(screen() is CodePage)
+	assert_reads("Write normalized.")
+	(screen().get_node("%Back") as Button).grab_focus()
+	await student.press_key(KEY_ESCAPE)
+	assert_false(_cards().is_empty(), "the start screen is open")
 	WorkshopChild.is_allowed = true
 
 

@@ -28,15 +28,15 @@ func test_code_of_collisions_in_the_dot_product_is_found() -> void:
 		assert_string_contains(_broken_by("dot_product", MadePack.script(path)), sentence)
 
 
-func test_tests_tools_the_workshop_and_the_test_runner_are_found_in_any_pack() -> void:
-	for path: String in [
-		"tests/a.gd",
-		"tools/a.gd",
-		"docs/a.gd",
-		"addons/gut/gut.gd",
-		"workshop/kit/a.gd",
-		"scenes/workshop/a.gd"
-	]:
+func test_the_workshop_is_found_in_a_lesson_and_has_its_place_in_the_lab() -> void:
+	for path: String in ["workshop/kit/a.gd", "scenes/workshop/a.gd"]:
+		var sentence := "angled_lines holds res://%s: it has no business there" % path
+		assert_string_contains(_broken_by("angled_lines", MadePack.script(path)), sentence)
+		assert_false(_broken_by("lab", MadePack.script(path)).contains("no business"))
+
+
+func test_tests_tools_and_the_test_runner_are_found_in_any_pack() -> void:
+	for path: String in ["tests/a.gd", "tools/a.gd", "docs/a.gd", "addons/gut/gut.gd"]:
 		var sentence := "lab holds res://%s: it has no business there" % path
 		assert_string_contains(_broken_by("lab", MadePack.script(path)), sentence)
 

@@ -18,10 +18,10 @@ const CONFIG := '{"args":[],"executable":"index","fileSizes":{"index.pck":1,"ind
 var _demos := WebDemo.all()
 
 
-func test_there_is_a_demo_for_the_lab_and_for_every_lesson_in_order() -> void:
+func test_there_is_a_demo_for_the_lab_for_every_lesson_in_order_and_for_the_workshop() -> void:
 	var ids := _demos.map(func(demo: WebDemo) -> String: return demo.id)
-	var lessons := LessonAgenda.lessons()
-	assert_eq(ids, [WebDemo.LAB] + lessons.map(func(info: LessonInfo) -> String: return info.id))
+	var lessons := LessonAgenda.lessons().map(func(info: LessonInfo) -> String: return info.id)
+	assert_eq(ids, [WebDemo.LAB] + lessons + [WebDemo.WORKSHOP])
 	assert_eq(_demos[0].heading(), "Vec2 Lab")
 	assert_eq(_demos[4].heading(), "4  The dot product")
 

@@ -1,7 +1,7 @@
 class_name WorkshopDesk
 extends RefCounted
 ## Shows in an open lesson what the lab says of the student's own code, in the panel and on the
-## board. A demo of one lesson does without it, and so does a program that can start no child.
+## board. A demo of one lesson does without it.
 
 const _SECTION := "res://scenes/workshop/own_code.tscn"
 
@@ -10,14 +10,15 @@ const _SECTION := "res://scenes/workshop/own_code.tscn"
 ## answers to the exercises that belong to it.
 static func follow(frame: Control) -> void:
 	var lesson: Lesson = frame.get(&"lesson")
-	if not lesson or not WorkshopChild.can_run():
+	if not lesson:
 		return
 	var info: LessonInfo = frame.get(&"lesson_info")
 	var exercises := WorkshopIndex.of_lesson(info.id)
 	if exercises.is_empty():
 		return
-	var watcher := WorkshopWatcher.of_lab(frame.get_tree())
-	_add_section(frame, lesson, watcher, exercises)
+	var watcher := WorkshopLabWatcher.of(frame.get_tree())
+	var section := _add_section(frame, lesson, watcher, exercises)
+	section.write_wanted.connect(WorkshopWays.open_code_of.bind(info, frame.get_tree()))
 	_add_drawing(lesson, info.id, watcher)
 
 
@@ -26,12 +27,13 @@ static func _add_section(
 	lesson: Lesson,
 	watcher: WorkshopWatcher,
 	exercises: Array[WorkshopExercise],
-) -> void:
+) -> OwnCode:
 	var section := (load(_SECTION) as PackedScene).instantiate() as OwnCode
 	frame.call(&"take_in", section)
 	section.follow(lesson, watcher, exercises)
 	var question := lesson.services[&"question"]
 	question.get_parent().move_child(section, question.get_index())
+	return section
 
 
 static func _add_drawing(lesson: Lesson, id: String, watcher: WorkshopWatcher) -> void:
