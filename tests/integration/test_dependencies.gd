@@ -14,6 +14,7 @@ const LAYERS: PackedStringArray = [
 	"res://scripts/collision",
 	"res://scripts/friction",
 	"res://scripts/world/segments",
+	"res://scripts/world/motion",
 	"res://scripts/world/event",
 	"res://scripts/aiming",
 	"res://scripts/world/stepped",

@@ -1,6 +1,6 @@
 class_name MovingSegments
 extends SegmentGrid
-## Segments of which some move, each by its [SegmentMotion]. The others are in the grid, as ever;
+## Segments of which some move, each by its [MotionPieces]. The others are in the grid, as ever;
 ## those that move are tried one by one, and are where they are at the time of the last
 ## [method go_to].
 ##

@@ -4,7 +4,7 @@ extends RefCounted
 ## world.
 
 ## The motion that it was given.
-var motion: SegmentMotion
+var motion: MotionPieces
 ## The segment at the time 0 of its motion.
 var given: LineSegment
 ## Which piece of its motion lasts, at the time of the last [method go_to].
@@ -22,7 +22,7 @@ var _start_low: float
 
 
 ## A segment that begins this motion at a time of the world, which is the sum of two numbers.
-func _init(segment: LineSegment, given_motion: SegmentMotion, time: float, low: float) -> void:
+func _init(segment: LineSegment, given_motion: MotionPieces, time: float, low: float) -> void:
 	given = segment.copy()
 	motion = given_motion
 	_start = time

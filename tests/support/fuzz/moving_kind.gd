@@ -243,6 +243,11 @@ func _problem_of_other_ways(world: FuzzWorld, flight: WatchedWorld) -> String:
 		return "One long step and many short ones differ."
 	if world.walls or flight.impacts > MOST_IN_FRAME:
 		return ""
+	# Of what touches at the start, rounding decides whether it does.
+	var begun := _begun(world)
+	for ball: Ball in balls_of(begun):
+		if InsideCheck.depth(ball, begun.nearest_points(ball)) > -PileKind.DEEPEST:
+			return ""
 	return _problem_in_frame(world, flight, Vec2.new(_WIND_X, _WIND_Y))
 
 

@@ -1,14 +1,14 @@
 extends LabTest
 ## When a flying ball meets a segment that moves, against a dense scan of the flight.
 
-const _SCANS := 20000
+const _SCANS := 3000
 
 
 func test_paths_and_turning_segments_against_a_dense_scan() -> void:
 	var rng := RandomNumberGenerator.new()
 	rng.seed = 31
 	var hits := 0
-	for number: int in 60:
+	for number: int in 30:
 		var start := Vec2.random_unit(rng).scaled(rng.randf_range(0, 100))
 		var line := LineSegment.new(start, start.plus(Vec2.random_unit(rng).scaled(80)))
 		var motion := _motion(rng, number)
@@ -22,8 +22,8 @@ func test_paths_and_turning_segments_against_a_dense_scan() -> void:
 		var found := _found(moving, ball, gravity)
 		if wanted < INF:
 			hits += 1
-		assert_almost_eq(minf(found, 9.0), minf(wanted, 9.0), 1e-3, "number %d" % number)
-	assert_gt(hits, 10)
+		assert_almost_eq(minf(found, 9.0), minf(wanted, 9.0), 4.0 / _SCANS, "number %d" % number)
+	assert_gt(hits, 5)
 
 
 static func _motion(rng: RandomNumberGenerator, number: int) -> SegmentMotion:
