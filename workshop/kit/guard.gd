@@ -42,9 +42,8 @@ static func begin(errors: WorkshopHeardErrors, times: int = 1) -> void:
 	_errors = errors
 	over = false
 	line = 0
-	_turns = 0
 	# Many calls in a row are many short ones.
-	_turns -= MOST_TURNS * (times - 1) / 10
+	_turns = -floori(MOST_TURNS * (times - 1) / 10.0)
 	_calls = _turns
 	_depth = 0
 	_elements = 0

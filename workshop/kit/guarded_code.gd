@@ -320,12 +320,12 @@ func _wrap_each(arguments: Array[Vector2i], before: String, behind: String) -> v
 
 
 func _wrap(first: int, last: int, before: String, behind: String) -> void:
-	var wrap := Wrap.new()
-	wrap.from = _layout.tokens[first].at
-	wrap.to = _layout.end_of(last)
-	wrap.before = before
-	wrap.behind = behind
-	_wraps.append(wrap)
+	var around := Wrap.new()
+	around.from = _layout.tokens[first].at
+	around.to = _layout.end_of(last)
+	around.before = before
+	around.behind = behind
+	_wraps.append(around)
 
 
 func _put(place: int, piece: String) -> void:
@@ -346,9 +346,9 @@ func _break_line(first: int, indent: String, guard: String) -> void:
 func _written(from: int, to: int, counts_lines: bool = false) -> String:
 	var before: Dictionary[int, String] = {}
 	var behind: Dictionary[int, String] = {}
-	for wrap in _wraps_within(from, to):
-		before[wrap.from] = before.get(wrap.from, "") + wrap.before
-		behind[wrap.to] = wrap.behind + behind.get(wrap.to, "")
+	for around in _wraps_within(from, to):
+		before[around.from] = before.get(around.from, "") + around.before
+		behind[around.to] = around.behind + behind.get(around.to, "")
 	var places := _places_within(from, to, [before, behind, _pieces, _replaced])
 	var written := ""
 	for index in places.size():
@@ -369,9 +369,9 @@ func _written(from: int, to: int, counts_lines: bool = false) -> String:
 # The outer ones first.
 func _wraps_within(from: int, to: int) -> Array[Wrap]:
 	var inside: Array[Wrap] = []
-	for wrap in _wraps:
-		if wrap.from >= from and wrap.to <= to:
-			inside.append(wrap)
+	for around in _wraps:
+		if around.from >= from and around.to <= to:
+			inside.append(around)
 	inside.sort_custom(
 		func(one: Wrap, other: Wrap) -> bool: return one.to - one.from > other.to - other.from
 	)

@@ -54,7 +54,9 @@ func _put_together(file: String, written: Array[WorkshopExercise]) -> void:
 	for exercise in written:
 		var code := WorkshopCode.new(WorkshopKeptCode.text_of(exercise).to_utf8_buffer())
 		texts.append(_with_tabs(code.text).split("\n"))
-		for function in code.functions():
+		var methods := exercise.tasks.map(func(task: WorkshopTask) -> String: return task.method)
+		# A method that the text has under another name is not there.
+		for function: String in Array(code.functions()) + methods:
 			var place := WorkshopLines.of_function(function, lines)
 			for line in place.behind - place.first:
 				lines.remove_at(place.first)

@@ -52,6 +52,13 @@ func test_a_text_takes_the_place_of_its_methods_and_its_lines_are_known() -> voi
 	assert_false(WorkshopWrittenFiles.new([3]).files == written.files)
 
 
+func test_a_method_under_another_name_is_missing_and_not_open() -> void:
+	WorkshopKeptCode.keep(WorkshopIndex.exercise(3), _DOT.replace("dot", "Dot"))
+	var judge := WorkshopJudge.new(WorkshopHeardErrors.new(), WorkshopWatchdog.new(), [], true)
+	judge.judge(WorkshopWrittenFiles.new([]).files, [])
+	assert_string_contains(judge.report.verdict(3).sentence, "do you mean that by Dot?")
+
+
 func test_spaces_are_no_mistake_and_mixed_ones_stay() -> void:
 	var exercise := WorkshopIndex.exercise(3)
 	WorkshopKeptCode.keep(exercise, _DOT.replace("\t", "    "))
