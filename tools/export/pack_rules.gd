@@ -17,8 +17,8 @@ const VECTOR_LESSONS: PackedStringArray = [
 ## In bytes.
 const VECTOR_LESSON_LIMIT := 230_000
 const LESSON_LIMIT := 400_000
-## It measures every method of the lab, so it holds the whole event world: friction too, and what the
-## world asks of segments that might move.
+## It measures every method of the lab, so it holds the whole event world: friction too, and what
+## the world asks of segments that might move.
 const LARGER: Dictionary[String, int] = {"error_and_time": 425_000}
 
 const _IN_NO_PACK: PackedStringArray = ["addons", "benchmarks", "docs", "tests", "tools"]
