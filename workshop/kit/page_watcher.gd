@@ -5,6 +5,7 @@ extends WorkshopWatcher
 ## is asked to, and has said what it has to say when [method check_now] comes back.
 
 var _errors := WorkshopHeardErrors.new()
+# Null while nothing is written.
 var _judge: WorkshopJudge
 # The language in which the report is.
 var _language := ""
@@ -51,7 +52,7 @@ func ask(method: String, numbers: PackedFloat64Array) -> int:
 
 func _answer(question: int, method: String, numbers: PackedFloat64Array) -> void:
 	_hear(true)
-	var answer := _judge.answer(method, numbers)
+	var answer := _judge.answer(method, numbers) if _judge else PackedFloat64Array()
 	_hear(false)
 	answered.emit(question, answer)
 
@@ -66,6 +67,11 @@ func _hear(is_listening: bool) -> void:
 
 
 func _judge_all() -> void:
+	if not WorkshopKeptCode.exercises().any(WorkshopKeptCode.is_written):
+		_judge = null
+		report = WorkshopReport.new()
+		report.leave_open()
+		return
 	var problems := _problems()
 	var written := WorkshopWrittenFiles.new(PackedInt32Array(problems.keys()))
 	_judge = WorkshopJudge.new(_errors, WorkshopWatchdog.new(), [], true)
