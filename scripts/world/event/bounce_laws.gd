@@ -14,7 +14,7 @@ func _take_settings() -> void:
 	_moves = _segments.has_motion()
 	_takes_short_ways = _is_weightless() and _friction == 0.0 and not _moves
 	_frame.set_up(_segments, Vec2.new(_gravity_x, _gravity_y))
-	_counts_touches = _bounciness < 1.0 or _moves
+	_counts_touches = _bounciness < 1.0 or _friction > 0.0 or _moves
 	var strength := sqrt(_gravity_x * _gravity_x + _gravity_y * _gravity_y)
 	_least_squared_speed = 2.0 * strength * REST_HEIGHT
 	_piles.set_up(_gravity_x, _gravity_y, _bounciness)

@@ -160,6 +160,18 @@ func test_a_ball_that_is_driven_into_a_narrow_wedge_comes_out() -> void:
 			assert_gt(world.velocity(0).x, 0.0, "C = %s, µ = %s" % [bounciness, friction])
 
 
+# Bounces take no speed from the ball there, but friction does.
+func test_an_elastic_ball_that_friction_slows_down_in_a_wedge_comes_out() -> void:
+	var driven := Ball.new(Vec2.new(-59, -71), 7, Vec2.new(-1, 0))
+	var world := _world([Vector4(70, -16, -92.1, -75)], [driven], 300.0, 1.0, 1.0)
+	# It pushes the ball into the wedge.
+	var above := LineSegment.new(Vec2.new(100, 30), Vec2.new(-120, -115))
+	assert_no_refusal(world.add_segment(above))
+	assert_no_refusal(world.add_ball(Ball.new(Vec2.new(-89, -82.3), 7.67, Vec2.new(0, 1))))
+	world.most_impacts_per_second = 20000
+	assert_no_refusal(world.advance(1.0))
+
+
 # With its last spin friction would take it off the wall, so slowly that no time passes.
 func test_a_ball_comes_to_rest_on_a_round_end_and_a_wall() -> void:
 	var ball := Ball.new(Vec2.new(10, 10), 4, Vec2.new(300, 0))
