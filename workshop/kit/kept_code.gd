@@ -4,6 +4,7 @@ extends RefCounted
 ## which holds its methods. It is kept for the next time, as his choices are.
 
 const _KEY := "code_%d"
+const _CHOSEN := "code_exercise"
 
 
 ## The exercises that can be written here, in their order: all that have methods.
@@ -29,6 +30,19 @@ static func keep(exercise: WorkshopExercise, text: String) -> void:
 		KeptChoices.forget(key)
 	else:
 		KeptChoices.keep(key, text)
+
+
+## The exercise at which he was last; the first that counts where he was at none.
+static func chosen() -> WorkshopExercise:
+	var of_browser := WebPage.kept(_CHOSEN)
+	var number: int = KeptChoices.value(_CHOSEN, exercises()[1].number)
+	return WorkshopIndex.exercise(of_browser.to_int() if of_browser else number)
+
+
+## He is at another exercise from now on.
+static func choose(exercise: WorkshopExercise) -> void:
+	WebPage.keep(_CHOSEN, str(exercise.number))
+	KeptChoices.keep(_CHOSEN, exercise.number)
 
 
 ## Whether something other than the stub is there.

@@ -3,7 +3,6 @@ extends WorkshopScreen
 ## Where the student writes his methods in the lab itself, as in a browser: a text for each
 ## exercise, and beside it what the judge says of it. All that is typed is kept at once.
 
-const _EXERCISE := "code_exercise"
 # The same in every language.
 const _CHECK_KEYS := "Ctrl+Enter"
 # A screen that is less wide has what is said below what is written.
@@ -71,17 +70,11 @@ func _ready() -> void:
 	_lay()
 	for button in _indents:
 		button.visible = DisplayServer.is_touchscreen_available()
-	var number: int = KeptChoices.value(_EXERCISE, _exercises[1].number)
-	_open(WorkshopIndex.exercise(number))
+	_open(WorkshopKeptCode.chosen())
 	if _watcher.report:
 		_watcher.say_again()
 		_show_report(_watcher.report)
 	WebPage.show_title(tr("Your own code"))
-
-
-## The page shows this exercise when it is opened next.
-static func choose(exercise: WorkshopExercise) -> void:
-	KeptChoices.keep(_EXERCISE, exercise.number)
 
 
 func _say_again() -> void:
@@ -100,7 +93,7 @@ func _lay() -> void:
 
 func _open(exercise: WorkshopExercise) -> void:
 	_exercise = exercise
-	choose(exercise)
+	WorkshopKeptCode.choose(exercise)
 	_field.begin(WorkshopKeptCode.text_of(exercise))
 	_field.accessibility_name = tr("Your code for %s") % exercise.title
 	_names.text = tr("MyVec2 has %s.") % ", ".join(_names_of_vector())

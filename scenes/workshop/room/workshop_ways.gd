@@ -37,7 +37,7 @@ static func open_code(tree: SceneTree) -> void:
 static func open_code_of(exercise: WorkshopExercise, lesson: LessonInfo, tree: SceneTree) -> void:
 	var page := _made(_CODE) as CodePage
 	page.left.connect(_open_lesson.bind(lesson, tree))
-	CodePage.choose(exercise)
+	WorkshopKeptCode.choose(exercise)
 	Navigation.open_screen(tree, page)
 
 

@@ -130,7 +130,7 @@ func _reopen() -> void:
 func _forget() -> void:
 	for exercise in WorkshopKeptCode.exercises():
 		_keep(exercise.number, WorkshopKeptCode.stub_of(exercise))
-	CodePage.choose(WorkshopIndex.exercise(1))
+	WorkshopKeptCode.choose(WorkshopIndex.exercise(1))
 
 
 func _keep(number: int, text: String) -> void:
