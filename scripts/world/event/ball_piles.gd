@@ -73,6 +73,8 @@ var _grounded_at: PackedFloat64Array = []
 # have followed each other within PILE_UP.
 var _last_touched: PackedInt32Array = []
 var _hurried: PackedInt32Array = []
+# Whether the two balls that met last overlap by more than the height of a hop.
+var _are_overlapping := false
 # Until when a ball lies, in seconds; INF where only a push ends it.
 var _lies_until: PackedFloat64Array = []
 
@@ -94,6 +96,7 @@ func _init(
 ## Takes this gravity, in px/s², and this C, 0..1.
 func set_up(gravity_x: float, gravity_y: float, bounciness: float) -> void:
 	slow_speed = 0.0
+	_are_overlapping = false
 	_bounciness = bounciness
 	if bounciness < 1.0:
 		slow_speed = LEAST_HOP * sqrt(gravity_x * gravity_x + gravity_y * gravity_y)
@@ -148,8 +151,10 @@ func is_hurried_now(index: int) -> bool:
 	return _hurried[index] > WEDGE_TOUCHES
 
 
-## Two balls meet at [param time]; gravity may press them on each other.
-func note_meeting(one: int, other: int, is_pressed: bool, time: float) -> void:
+## Two balls meet at [param time], with their centres this far apart, in pixels; gravity may press
+## them on each other.
+func note_meeting(one: int, other: int, distance: float, is_pressed: bool, time: float) -> void:
+	_are_overlapping = distance < _radius[one] + _radius[other] - touch_gap()
 	for index: int in [one, other]:
 		if not lies(index):
 			count_meeting(index, time)
@@ -168,15 +173,18 @@ func count_touch(index: int, time: float) -> void:
 			_crowd[index] = 0
 
 
-## The speed with which two balls part that a pull presses together, in px/s: not so slow that the
-## hop is shorter than [constant LEAST_HOP], but no faster than the approach, unless there was
-## almost none: then [param part] of it, 0..1, so that a heavy ball gets no more energy from a light
-## one that lies than if both hopped.
-static func hop_speed(speed: float, approach: float, pressure: float, part: float = 1.0) -> float:
+## The speed with which the two balls that met last part, if a pull presses them together, in px/s:
+## not so slow that the hop is shorter than [constant LEAST_HOP], but no faster than the approach,
+## unless there was almost none: then [param part] of it, 0..1, so that a heavy ball gets no more
+## energy from a light one that lies than if both hopped. Balls that overlap get nothing then: they
+## would meet again at the top of each hop, and climb out of each other.
+func hop_speed(speed: float, approach: float, pressure: float, part: float = 1.0) -> float:
 	var least := 0.5 * pressure * LEAST_HOP
 	if speed >= least:
 		return speed
-	return minf(approach, least) if approach > 1e-3 * least else least * part
+	if approach > 1e-3 * least or _are_overlapping:
+		return minf(approach, least)
+	return least * part
 
 
 ## Whether a ball lies and takes the push of another one without moving; the unit normal points to

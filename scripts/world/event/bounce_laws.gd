@@ -311,7 +311,7 @@ func _collide_by_laws(one: int, other: int) -> void:
 	_normal_x = dx / distance if distance > 0.0 else 0.0
 	_normal_y = dy / distance if distance > 0.0 else 0.0
 	if _piles.slow_speed > 0.0:
-		_collide_in_pile(one, other)
+		_collide_in_pile(one, other, distance)
 	else:
 		_push(one, other)
 	_forecast(one)
@@ -338,11 +338,11 @@ func _push(one: int, other: int) -> void:
 
 # What BallPiles says: a ball that lies takes a slow push; balls that are pressed on each other may
 # come to lie.
-func _collide_in_pile(one: int, other: int) -> void:
+func _collide_in_pile(one: int, other: int, distance: float) -> void:
 	var pull_x := _pull_x[one] - _pull_x[other]
 	var pull_y := _pull_y[one] - _pull_y[other]
 	var is_pressed := pull_x * _normal_x + pull_y * _normal_y < 0.0
-	_piles.note_meeting(one, other, is_pressed, time)
+	_piles.note_meeting(one, other, distance, is_pressed, time)
 	if not (_is_borne(one, other, 1.0) or _is_borne(other, one, -1.0)):
 		var woken := _wake(one)
 		woken.append_array(_wake(other))
@@ -401,7 +401,7 @@ func _exchange(one: int, other: int) -> void:
 		var pressure := -(pull_x * _normal_x + pull_y * _normal_y)
 		pressure -= around * around / (_radius[one] + _radius[other])
 		approach = maxf(approach, 0.0)
-		speed = BallPiles.hop_speed(speed, approach, pressure)
+		speed = _piles.hop_speed(speed, approach, pressure)
 	if _bounciness < 1.0:
 		# See LEAST_SHARE.
 		var size := sqrt(_squared_speed(one)) + sqrt(_squared_speed(other))

@@ -48,6 +48,27 @@ func test_the_energy_does_not_grow() -> void:
 		lowest = minf(lowest, world.energy())
 
 
+# The light one is between the heavy one and the round end of a line. They would meet again at the
+# top of each hop, and so climb.
+func test_balls_that_are_put_into_each_other_do_not_climb_out_by_hops() -> void:
+	for depth: float in [0.5, 3.0, 10.0]:
+		for angle: float in [-68.0, -45.0, -22.0]:
+			var heavy := Ball.new(Vec2.new(0, -10), 10.0)
+			var apart := Vec2.unit_degrees(angle).scaled(20.0 - depth)
+			var light := Ball.new(heavy.position.plus(apart), 10.0, Vec2.zero(), 0.3)
+			var end := light.position.plus(Vec2.new(9.6, 2.8))
+			var lines: Array[Vector4] = [
+				Vector4(-50, 0, 50, 0), Vector4(end.x, end.y, end.x + 30.0, end.y + 10.0)
+			]
+			var world := EventWorlds.world(lines, [heavy, light], Vec2.new(0, _GRAVITY), 0.0)
+			assert_no_refusal(world.set_friction(0.2))
+			var lowest := world.energy()
+			for step: int in 200:
+				assert_no_refusal(world.advance(0.005))
+				assert_lt(world.energy(), lowest + 1e-9, "%s px, %s degrees" % [depth, angle])
+				lowest = minf(lowest, world.energy())
+
+
 func test_a_fast_ball_wakes_the_pile_and_a_slow_one_does_not() -> void:
 	for speed: float in [3.0, 300.0]:
 		var world := _world_with_v(45.0, 0.0, _equal_balls(4))
