@@ -1,7 +1,14 @@
 extends ScreenTest
 ## States in which a lesson has once said something false: now all that it says in them holds.
 
+const _ON_CIRCLE := (
+	"timed_shot?kind=1&muzzle=-95.87068649108613,229.8&bullet=-5,-3&target=100,-50"
+	+ "&centre=2.064656754456937,89.9&radius=12.4"
+)
 const _LINKS: Array[String] = [
+	# The nozzle is 1e-12 px and less below the hull, which is no rounding.
+	"aim_at?hull=-2000,0&hull_degrees=1e-12&step=1",
+	"aim_at?hull=-80,0&hull_degrees=1e-12&length=1&step=1",
 	"ballistic_aim?target=0.00673,0.0199&velocity=-1,-3&gravity=1e-12&mistake=105&step=4",
 	"ballistic_aim?target=0,-120&speed=1&gravity=1e-12&falls=true&mistake=104&step=4",
 	(
@@ -13,6 +20,11 @@ const _LINKS: Array[String] = [
 		"ballistic_aim?target=-6,99.04&velocity=-240.78086880968306,299.3753049527456&speed=2"
 		+ "&gravity=200&falls=true&arc=1&mistake=101&step=6"
 	),
+	# The muzzle is where the target passes, and the bullet leaves its circle.
+	_ON_CIRCLE + "&step=2",
+	_ON_CIRCLE + "&step=3",
+	_ON_CIRCLE + "&step=4",
+	_ON_CIRCLE + "&step=5",
 ]
 
 
