@@ -9,6 +9,13 @@ const _LINKS: Array[String] = [
 	# The nozzle is 1e-12 px and less below the hull, which is no rounding.
 	"aim_at?hull=-2000,0&hull_degrees=1e-12&step=1",
 	"aim_at?hull=-80,0&hull_degrees=1e-12&length=1&step=1",
+	# The target is in the shooter's place but for a few 1e-13 px.
+	"lead_target?target=-119.999999999999,-90&velocity=11,90&step=1",
+	"lead_target?target=-119.999999999999,-90&own=7,3&velocity=-11,90&mistake=103&step=6",
+	(
+		"lead_target?target=-120.0000000000003,-90.0000000000004&own=7,3&velocity=-11,90"
+		+ "&mistake=104&step=5"
+	),
 	"ballistic_aim?target=0.00673,0.0199&velocity=-1,-3&gravity=1e-12&mistake=105&step=4",
 	"ballistic_aim?target=0,-120&speed=1&gravity=1e-12&falls=true&mistake=104&step=4",
 	(
