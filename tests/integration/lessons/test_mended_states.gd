@@ -16,6 +16,8 @@ const _LINKS: Array[String] = [
 		"lead_target?target=-120.0000000000003,-90.0000000000004&own=7,3&velocity=-11,90"
 		+ "&mistake=104&step=5"
 	),
+	# Speeds that are equal but for 1e-10 px/s.
+	"lead_target?target=-0.8,-0.6&velocity=-90,120&speed=150.0000000001&mistake=103&step=4",
 	"ballistic_aim?target=0.00673,0.0199&velocity=-1,-3&gravity=1e-12&mistake=105&step=4",
 	"ballistic_aim?target=0,-120&speed=1&gravity=1e-12&falls=true&mistake=104&step=4",
 	(
