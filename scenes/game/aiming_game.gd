@@ -7,6 +7,8 @@ const ACTIONS: Dictionary[StringName, String] = {&"left_click": "turn", &"ui_acc
 ## In the opening the barrel swings so far to both sides, in degrees, and so often in 20 seconds.
 const _SWING := 25.0
 const _SWINGS := 5.0
+# In the panel the news have so many lines, the most that they need on a phone.
+const _NEWS_LINES := 3
 
 var _model := AimingGameModel.new()
 var _card_place: CardPlace
@@ -103,9 +105,13 @@ func _corners() -> Array[Vec2]:
 	return [Vec2.zero(), Vec2.new(GameLevel.FIELD_SIZE[0], GameLevel.FIELD_SIZE[1])]
 
 
-# The strips above and below the field. On a phone the lower one is the first part of the panel.
+# The strips above and below the field. On a phone the lower one is the first part of the panel, and
+# keeps its height: whoever is about to touch a switch below it must not touch another one.
 func _keep_free() -> void:
 	var is_in_panel := _below.get_parent() != board
 	if is_in_panel:
 		_below.get_parent().move_child(_below, 0)
+	var spacing := _news.get_theme_constant(&"line_spacing")
+	var high := _NEWS_LINES * (_news.get_line_height() + spacing) - spacing
+	_news.custom_minimum_size.y = high if is_in_panel else 0
 	board.keep_free(_above.size.y, 0.0 if is_in_panel else _below.size.y)

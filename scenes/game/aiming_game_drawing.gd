@@ -21,6 +21,7 @@ var _drawn_miss: GameShot
 @onready var _meeting: TargetMark = %Meeting
 @onready var _trail: FlightPath = %Trail
 @onready var _missed: FlightPath = %Missed
+@onready var _passed: TargetMark = %Passed
 @onready var _bullet: BallView = %Bullet
 @onready var _rings: HitRings = %Rings
 @onready var _sight: Handle = %Sight
@@ -66,14 +67,23 @@ func _lay_plan(model: AimingGameModel) -> void:
 
 
 func _lay_bullet(model: AimingGameModel) -> void:
-	_bullet.visible = model.shot != null
-	_trail.visible = model.shot != null or model.is_won()
-	# The way of a miss stays, to learn from.
-	_missed.visible = model.missed != null
-	if model.missed and model.missed != _drawn_miss:
-		_missed.show_path(model.missed.way_until(model.missed.gone_after))
-	_drawn_miss = model.missed
-	if model.shot:
-		var flown := maxf(model.time - model.shot.fired_at, 0.0)
-		_bullet.lay(model.shot.place_after(flown), GameLevel.BULLET)
-		_trail.show_path(model.shot.way_until(flown))
+	# Where it has hit it stays, at the end of its way.
+	var seen := model.shot if model.shot else model.landed
+	_bullet.visible = seen != null
+	_trail.visible = seen != null
+	if seen:
+		var flown := clampf(model.time - seen.fired_at, 0.0, seen.hit_after)
+		_bullet.lay(seen.place_after(flown), GameLevel.BULLET)
+		_trail.show_path(seen.way_until(flown))
+	_lay_miss(model)
+
+
+# The way of a miss stays, to learn from, with the target where it was when the bullet was nearest.
+func _lay_miss(model: AimingGameModel) -> void:
+	var missed := model.missed
+	_missed.visible = missed != null
+	_passed.visible = missed != null and model.level().target.speed != 0.0
+	if missed and missed != _drawn_miss:
+		_missed.show_path(missed.way_until(missed.gone_after))
+		_passed.lay(missed.passed, GameTarget.RADIUS)
+	_drawn_miss = missed

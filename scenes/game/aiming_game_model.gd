@@ -35,6 +35,8 @@ var shots_in: Dictionary[int, int] = {}
 var levels_hit: Dictionary[int, bool] = {}
 ## The last bullet, if it has missed; else null.
 var missed: GameShot
+## The bullet that has hit the target of this level; null while none has.
+var landed: GameShot
 ## When the target of this level was hit, in seconds since the level began; INF while it was not.
 var hit_at := INF
 
@@ -127,6 +129,7 @@ func advance(seconds: float) -> void:
 	if shot and shot.is_over(time):
 		if shot.hit_after < INF:
 			hit_at = shot.fired_at + shot.hit_after
+			landed = shot
 			levels_hit[level_number] = true
 		else:
 			missed = shot
@@ -158,6 +161,7 @@ func begin_level() -> void:
 	shot = null
 	hit_at = INF
 	missed = null
+	landed = null
 	_forget_plan()
 	_barrel = deg_to_rad(hand_degrees)
 

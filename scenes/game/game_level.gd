@@ -55,7 +55,7 @@ static func all() -> Array[GameLevel]:
 		),
 		(
 			_of(
-				LabText.translate("Gravity, and a wall: the low arc is blocked."),
+				LabText.translate("A wall blocks the low arc: shoot over it."),
 				GameTarget.at(Vec2.new(330, 240))
 			)
 			. _with_gravity(180.0)

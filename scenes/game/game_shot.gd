@@ -18,6 +18,8 @@ var hit_after := INF
 var gone_after := _LONGEST
 ## Of a miss the smallest distance of the centres, in pixels.
 var nearest := INF
+## Where the target was then.
+var passed: Vec2
 
 var _flight: FiredShot
 var _way: Array[Vec2] = []
@@ -94,6 +96,7 @@ func _follow(level: GameLevel) -> void:
 		return level.target.place_at(fired_at + seconds)
 	var moment := _flight.nearest_moment(target_after, gone_after)
 	nearest = _flight.distance_after(moment, target_after)
+	passed = target_after.call(moment)
 
 
 # One that flies high comes down again where it falls.

@@ -50,6 +50,8 @@ func draw_mark(mark: OwnMark, color: Color) -> void:
 			_draw_length(from, to, color)
 		OwnMark.Shape.BALL:
 			draw_ball(mark.from, mark.radius, mark.is_filled, color)
+		OwnMark.Shape.WAY:
+			draw_way_of_strokes(mark.places, color, _WIDTH)
 
 
 ## Draws a ball with a dashed rim.
@@ -81,7 +83,7 @@ func write(
 	draw_rect(plate, Color(Palette.drawn(Palette.PAPER), 0.9 * color.a))
 	draw_rect(plate, color, false, Palette.stroke(1.0))
 	var end := plate.end.x - _MARGIN - _width_of(words) / 2.0
-	draw_text(words, Vector2(end, middle.y), color, _FONT_SIZE)
+	draw_text_at(words, Vector2(end, middle.y), color, _FONT_SIZE)
 	_draw_sign(sign_text, plate.position + Vector2(_MARGIN + _BALL, _HIGH / 2.0), color.a)
 
 

@@ -41,14 +41,17 @@ func _init(board: Board) -> void:
 ## is [param reach] wide to each side; if possible in the direction [param aside] from there. Later
 ## words keep off it.
 func take(around: Vector2, reach: float, aside: Vector2, extent: Vector2) -> Vector2:
-	var best := around
+	# What is outside of the board has its words at the edge.
+	var room := _board.free_area()
+	var anchor := around.clamp(room.position, room.end)
+	var best := anchor
 	var least := INF
 	for turn in _DIRECTIONS:
 		# To both sides in turns: 0, 1, -1, 2, -2 ...
 		var steps := ceili(turn / 2.0)
 		var direction := aside.rotated(TAU / _DIRECTIONS * (steps if turn % 2 == 1 else -steps))
 		for gap in _GAPS.size():
-			var middle := _beside(around, reach + _GAPS[gap], direction, extent)
+			var middle := _beside(anchor, reach + _GAPS[gap], direction, extent)
 			var cost := _cost_of(Rect2(middle - extent / 2.0, extent))
 			cost += gap * _COST_OF_GAP + steps * _COST_OF_TURN
 			if cost < least:
@@ -60,13 +63,13 @@ func take(around: Vector2, reach: float, aside: Vector2, extent: Vector2) -> Vec
 
 func _beside(around: Vector2, gap: float, direction: Vector2, extent: Vector2) -> Vector2:
 	var half := absf(direction.x) * extent.x / 2.0 + absf(direction.y) * extent.y / 2.0
-	var room := Rect2(Vector2.ZERO, _board.size).grow_individual(
+	var room := _board.free_area().grow_individual(
 		-extent.x / 2.0 - _EDGE,
 		-extent.y / 2.0 - _EDGE,
 		-extent.x / 2.0 - _EDGE,
 		-extent.y / 2.0 - _EDGE
 	)
-	return (around + direction * (gap + half)).clamp(room.position, room.end)
+	return (around + direction * (gap + half)).clamp(room.position, room.end.max(room.position))
 
 
 func _cost_of(place: Rect2) -> float:

@@ -52,9 +52,10 @@ static func first_by_the_slide(
 ## The times at which |P + V t| = R + s t, the earliest first: at most two, in seconds, none below
 ## 0. [param way] is P, longer than the radius R, [param velocity] V and [param speed] s > 0.
 ##
-## Lengths are counted in P and speeds in the larger one, so that no square overflows. The
-## discriminant b² - a c loses its digits where the speeds are nearly equal. (s P - R V)² - (P × V)²
-## is the same number, and its two factors keep them.
+## Lengths are counted in P and speeds in the larger one, so that no square overflows. A target that
+## is not faster has a up to 0: in the discriminant b² - a c nothing cancels. Else it would lose its
+## digits where a shot grazes. (s P - R V)² - (P × V)² is the same number, and its two factors keep
+## them.
 static func times(way: Vec2, velocity: Vec2, speed: float, radius: float) -> PackedFloat64Array:
 	var length := way.length()
 	var fastest := maxf(velocity.length(), speed)
@@ -67,15 +68,17 @@ static func times(way: Vec2, velocity: Vec2, speed: float, radius: float) -> Pac
 	var a := (fast - speed) / fastest * ((fast + speed) / fastest)
 	var b := p.dot(v) - s * r
 	var c := (length - radius) / length * (1.0 + r)
-	var k := p.scaled(s).minus(v.scaled(r)).length()
-	var x := absf(p.cross(v))
-	var root := sqrt(maxf((k - x) * (k + x), 0.0))
 	var unit := length / fastest
 	var found: PackedFloat64Array = []
 	if a <= 0.0:
+		var root := sqrt(b * b - a * c)
 		var time := c / (root - b) if b <= 0.0 else (b + root) / absf(a)
 		if time < INF:
 			found.append(time * unit)
-	elif b < 0.0 and k >= x:
-		found = [c / (root - b) * unit, (root - b) / a * unit]
+	elif b < 0.0:
+		var k := p.scaled(s).minus(v.scaled(r)).length()
+		var x := absf(p.cross(v))
+		if k >= x:
+			var root := sqrt((k - x) * (k + x))
+			found = [c / (root - b) * unit, (root - b) / a * unit]
 	return found

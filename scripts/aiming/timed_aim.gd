@@ -23,7 +23,7 @@ static func at_line(
 	if across == 0.0 and bend == 0.0:
 		return TimedShot.miss(TimedShot.Outcome.PARALLEL)
 	var shots: Array[TimedShot] = []
-	for flight in Quadratic.roots(bend, across, -p.cross(velocity)):
+	for flight in _later(Quadratic.roots(bend, across, -p.cross(velocity))):
 		var way := _flown(p.negated(), bullet, gravity, flight)
 		var met := way.dot(velocity) / velocity.length_squared()
 		var shot := TimedShot.at(met - flight, flight)
@@ -53,7 +53,7 @@ static func at_circle(
 		return TimedShot.miss(TimedShot.Outcome.NO_CROSSING)
 	var shots: Array[TimedShot] = []
 	var from := muzzle.minus(centre)
-	for flight in _crossings(from, bullet, gravity, radius):
+	for flight in _later(_crossings(from, bullet, gravity, radius)):
 		var there := _flown(from, bullet, gravity, flight)
 		var period := TAU / absf(turn)
 		var met := (there.angle_radians() - phase) / turn
@@ -124,7 +124,17 @@ static func _flown(from: Vec2, bullet: Vec2, gravity: Vec2, flight: float) -> Ve
 	return from.plus(bullet.scaled(flight)).plus(fallen)
 
 
-# The flights after which the bullet is on the circle. _earliest leaves out those below 0.
+# Those of these flights that are later than the shot. They are sorted out before the last step of
+# Newton's method: of a muzzle that is on the way of the target it would make a flight of 1e-14 s.
+static func _later(flights: PackedFloat64Array) -> PackedFloat64Array:
+	var found: PackedFloat64Array = []
+	for flight in flights:
+		if flight > 0.0:
+			found.append(flight)
+	return found
+
+
+# The flights after which the bullet is on the circle.
 static func _crossings(
 	from: Vec2, bullet: Vec2, gravity: Vec2, radius: float
 ) -> PackedFloat64Array:

@@ -61,6 +61,20 @@ func look_at(state_count: int, seed_number: int) -> void:
 	CallTimer.is_measuring = true
 
 
+## Looks at what is shown now.
+func look() -> void:
+	var formula: Formula = _frame.lesson.services.get(&"formula")
+	if formula:
+		read_count += 1
+		var problems: PackedStringArray = _reader.call(&"problems", _lines_of(formula))
+		for sentence in problems:
+			_tell(sentence)
+	var seen := SeenLesson.of(_frame)
+	for problem: String in [_judge.problem(seen), _problem_of_unit(seen)]:
+		if problem:
+			_tell(problem)
+
+
 func _look_at(state_count: int, seed_number: int) -> void:
 	var lesson := _frame.lesson
 	var states := LessonStates.new(lesson, seed_number)
@@ -74,7 +88,7 @@ func _look_at(state_count: int, seed_number: int) -> void:
 			steps.go_to(step)
 		for i in state_count:
 			lesson.show_link(wanted[i])
-			_look()
+			look()
 			if i % _STATES_IN_A_FRAME == 0:
 				await _frame.get_tree().process_frame
 		step += 1
@@ -84,19 +98,6 @@ func _look_at(state_count: int, seed_number: int) -> void:
 		steps.go_to(step)
 		if steps.step < step:
 			return
-
-
-func _look() -> void:
-	var formula: Formula = _frame.lesson.services.get(&"formula")
-	if formula:
-		read_count += 1
-		var problems: PackedStringArray = _reader.call(&"problems", _lines_of(formula))
-		for sentence in problems:
-			_tell(sentence)
-	var seen := SeenLesson.of(_frame)
-	for problem: String in [_judge.problem(seen), _problem_of_unit(seen)]:
-		if problem:
-			_tell(problem)
 
 
 # In radians nothing is written in degrees but what the report calls its cases, and nothing in

@@ -136,10 +136,12 @@ func _put_shots(model: AimAtModel, shots: AimShots, step: int) -> void:
 	var blue := Palette.Role.PROJECTION
 	var shot := shots.right if step >= AimAtModel.Step.LOOK else shots.current
 	_formula.put_symbol("d", "d", blue)
-	_formula.put_vector("d_pair", _without_rounding(Vec2.unit_degrees(shot.degrees)), blue)
+	var direction := _without_rounding(Vec2.unit_degrees(shot.degrees))
+	_formula.put_vector("d_pair", direction, blue)
+	var barrel := direction.scaled(model.length)
+	var sizes := Vec2.new(absf(model.hull.x) + absf(barrel.x), absf(model.hull.y) + absf(barrel.y))
+	_formula.put_vector_sum("N_pair", model.hull.plus(barrel), sizes, Palette.Role.INK)
 	var size := model.hull.length() + model.length
-	var nozzle := model.nozzle_at(shot.degrees)
-	_formula.put_vector_sum("N_pair", nozzle, Vec2.new(size, size), Palette.Role.INK)
 	_formula.put_sum("flight", shots.right.moment, size / model.speed, blue)
 	_formula.put_symbol("g", "g", Palette.Role.UNIT)
 	_formula.put_vector("g_pair", Vec2.new(0.0, AimAtModel.GRAVITY), Palette.Role.UNIT)

@@ -30,7 +30,9 @@ func _init(from_shooter: Vec2, its_velocity: Vec2, its_speed: float, its_radius:
 	velocity = its_velocity.copy()
 	speed = its_speed
 	radius = its_radius
-	a = velocity.length_squared() - speed * speed
+	# As LeadAim has it: where both are nearly equal, a difference of squares loses its digits.
+	var fast := velocity.length()
+	a = (fast - speed) * (fast + speed)
 	if absf(a) <= _ROUNDING * (velocity.length_squared() + speed * speed):
 		a = 0.0
 	b = way.dot(velocity) - speed * radius

@@ -44,13 +44,15 @@ static func right(model: LeadTargetModel) -> LeadShot:
 ## A shot along [param its_direction], which need not hit.
 static func along(model: LeadTargetModel, its_direction: Vec2) -> LeadShot:
 	var shot := LeadShot.new(model, its_direction)
-	# The bullet as the target sees it.
+	# The bullet as the target sees it: it rests, as far from the muzzle as it was. So a miss far from
+	# the origin, or of a target that is quickly far away, keeps its digits.
 	var relative := shot.velocity.minus(model.velocity)
 	var nearest := model.way().dot(relative) / relative.length_squared()
 	if relative.length() == 0.0 or is_nan(nearest):
 		nearest = 0.0
 	shot.moment = clampf(nearest, 0.0, LeadTargetModel.LONGEST_FLIGHT)
-	shot.miss = shot.distance_after(shot.moment)
+	var seen := FiredShot.new(Vec2.new(), relative)
+	shot.miss = seen.place_after(shot.moment).distance_to(model.way())
 	return shot
 
 

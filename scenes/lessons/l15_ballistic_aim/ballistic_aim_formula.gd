@@ -116,11 +116,22 @@ static func _with_number(line: String, place: int) -> String:
 func _least_lines(model: BallisticAimModel) -> PackedStringArray:
 	if not model.is_fixed() or model.gravity == 0.0:
 		return _aim_lines(model)
-	return [
-		"|{P}| = √({x_value}² + {y_value}²) = {length}",
-		"{s0}² = {g_} (|{P}| − {P}.y) = {g_value}·({length} − {y_value}) = {least_squared}",
-		"{s0} = {least}",
-	]
+	var found: PackedStringArray = ["|{P}| = √({x_value}² + {y_value}²) = {length}"]
+	if model.target.y > 0.0:
+		# As BallisticAim computes it: the digits of the difference would cancel.
+		found.append("|{P}| − {P}.y = {P}.x² / (|{P}| + {P}.y)")
+		found.append(
+			(
+				"{s0}² = {g_} {P}.x² / (|{P}| + {P}.y) = "
+				+ "{g_value}·{x_squared} / ({length} + {y_value}) = {least_squared}"
+			)
+		)
+	else:
+		found.append(
+			"{s0}² = {g_} (|{P}| − {P}.y) = {g_value}·({length} − {y_value}) = {least_squared}"
+		)
+	found.append("{s0} = {least}")
+	return found
 
 
 func _wrong_line(model: BallisticAimModel) -> String:
@@ -189,5 +200,5 @@ func _put_least(model: BallisticAimModel) -> void:
 	var least := model.least_speed()
 	_formula.put_symbol("s0", "s₀", Palette.Role.A)
 	_formula.put_number("least", least, Palette.Role.A)
-	var terms := model.gravity * (model.target.length() + absf(model.target.y))
-	_formula.put_sum("least_squared", least * least, terms, Palette.Role.A)
+	_formula.put_number("x_squared", model.target.x * model.target.x, Palette.Role.B)
+	_formula.put_number("least_squared", least * least, Palette.Role.A)

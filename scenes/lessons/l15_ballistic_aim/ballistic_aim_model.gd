@@ -231,10 +231,17 @@ func miss() -> ShotMiss:
 
 
 ## The same for a shot in [param towards], of length 1, which was computed to hit after
-## [param computed] seconds.
+## [param computed] seconds. A target that moves is watched for
+## [constant BallisticShots.LONGEST], one that rests until then, too.
+##
+## What falls as the bullet does is seen from a place that falls with both. Else the rounding of the
+## common fall, which may be a thousand times as far as the target, would be taken for a miss.
 func miss_of(towards: Vec2, computed: float) -> ShotMiss:
 	var leaving := bullet_velocity(towards)
-	return ShotMiss.of(Vec2.zero(), leaving, pull(), aim_target(), BallisticShots.LONGEST, computed)
+	var seen := AimTarget.new(target, own_velocity())
+	var last := BallisticShots.LONGEST
+	var counted := computed if is_fixed() else minf(computed, last)
+	return ShotMiss.of(Vec2.zero(), leaving, bend().negated(), seen, last, counted)
 
 
 ## eps times the condition of the aim that is flown, in pixels: so far rounding alone may move it.

@@ -34,7 +34,8 @@ func _init(from: Vec2, velocity: Vec2, radius: float, phase: float, turn: float)
 
 ## Seconds from the shot until the bullet first crosses the circle; -1 where it does not.
 func first_crossing() -> float:
-	var outside := _x * _x + _y * _y - _radius * _radius
+	var distance := sqrt(_x * _x + _y * _y)
+	var outside := (distance - _radius) * (distance + _radius)
 	var growth := 2.0 * (_x * _vx + _y * _vy)
 	for seconds in Quadratic.roots(_vx * _vx + _vy * _vy, growth, outside):
 		if seconds > 0.0:

@@ -13,6 +13,10 @@ const SMALLEST_TEXT := 14
 const _SHARE_ON_SMALL := 0.7
 const _RIM := 8
 const _RIM_ON_SMALL := 5
+# A stroke of a dashed line, and the gap behind it, in pixels.
+const _STROKE := 9.0
+# A piece of a way that is longer than this is dashed from its own beginning.
+const _LONG_PIECE := 200.0
 
 ## The board that this part lies on: the nearest one above it in the tree.
 var board: Board
@@ -89,7 +93,37 @@ func draw_text_at(text: String, middle: Vector2, color: Color, font_size: int = 
 ## A line of short strokes from [param from] to [param to], in the board's pixels, as thick as lines
 ## of [param width] are drawn now.
 func draw_strokes(from: Vector2, to: Vector2, color: Color, width: float) -> void:
-	draw_dashed_line(from, to, color, Palette.stroke(width), 9.0, true, true)
+	draw_dashed_line(from, to, color, Palette.stroke(width), _STROKE, true, true)
+
+
+## A way of short strokes through [param places], in units of the plane. The strokes go on from
+## piece to piece: a curved way has pieces shorter than a stroke.
+func draw_way_of_strokes(places: Array[Vec2], color: Color, width: float) -> void:
+	var reached := 0.0
+	for i in range(1, places.size()):
+		var from := board.to_screen(places[i - 1])
+		var to := board.to_screen(places[i])
+		_draw_strokes_from(reached, from, to, color, width)
+		reached += from.distance_to(to)
+
+
+# The strokes of a piece that begins `reached` pixels along its way. A long one is a straight line.
+func _draw_strokes_from(
+	reached: float, from: Vector2, to: Vector2, color: Color, width: float
+) -> void:
+	var length := from.distance_to(to)
+	if length > _LONG_PIECE:
+		draw_strokes(from, to, color, width)
+		return
+	var at := -fmod(reached, 2.0 * _STROKE)
+	while at < length:
+		var begins := maxf(at, 0.0)
+		var ends := minf(at + _STROKE, length)
+		if ends > begins:
+			var start := from.move_toward(to, begins)
+			var stop := from.move_toward(to, ends)
+			draw_line(start, stop, color, Palette.stroke(width), true)
+		at += 2.0 * _STROKE
 
 
 # A scene of parts that is opened or run alone has no board: they are drawn around the origin.

@@ -5,9 +5,6 @@ extends BoardPart
 ## equal piece of time.
 
 const _DOT := 3.5
-# A stroke of a dashed way, and the gap behind it, in pixels.
-const _STROKE := 9.0
-const _LONG_PIECE := 200.0
 
 ## The places through which the way goes, in units of the plane. 32 bits; [method show_path] keeps
 ## all digits.
@@ -62,35 +59,15 @@ func spanned_points() -> Array[Vec2]:
 
 func _draw() -> void:
 	var color := Palette.color(role)
-	var reached := 0.0
-	for i in range(1, _places.size()):
-		var from := board.to_screen(_places[i - 1])
-		var to := board.to_screen(_places[i])
-		if dashed:
-			_draw_strokes_from(reached, from, to, color)
-			reached += from.distance_to(to)
-		else:
+	if dashed:
+		draw_way_of_strokes(_places, color, width)
+	else:
+		for i in range(1, _places.size()):
+			var from := board.to_screen(_places[i - 1])
+			var to := board.to_screen(_places[i])
 			draw_line(from, to, color, Palette.stroke(width), true)
 	for tick in _ticks:
 		draw_circle(board.to_screen(tick), _DOT, color, true, -1.0, true)
-
-
-# The strokes of a piece that begins `reached` pixels along the way: a curved way has pieces shorter
-# than a stroke. A long one is a straight line.
-func _draw_strokes_from(reached: float, from: Vector2, to: Vector2, color: Color) -> void:
-	var length := from.distance_to(to)
-	if length > _LONG_PIECE:
-		draw_strokes(from, to, color, width)
-		return
-	var at := -fmod(reached, 2.0 * _STROKE)
-	while at < length:
-		var begins := maxf(at, 0.0)
-		var ends := minf(at + _STROKE, length)
-		if ends > begins:
-			var start := from.move_toward(to, begins)
-			var stop := from.move_toward(to, ends)
-			draw_line(start, stop, color, Palette.stroke(width), true)
-		at += 2.0 * _STROKE
 
 
 static func _in_32_bits(points: Array[Vec2]) -> PackedVector2Array:

@@ -3,8 +3,8 @@ extends RefCounted
 ## One thing that is drawn of what the student's code answers: a shape on the board, without words.
 
 ## NOTE: words alone. ARROW: from one point to another. LENGTH: the same without a direction. BALL:
-## a circle, of which only the rim is drawn.
-enum Shape { NOTE, ARROW, LENGTH, BALL }
+## a circle, of which only the rim is drawn. WAY: the way of a shot.
+enum Shape { NOTE, ARROW, LENGTH, BALL, WAY }
 
 ## What it is.
 var shape := Shape.NOTE
@@ -16,6 +16,8 @@ var to := Vec2.new()
 var radius := 0.0
 ## Whether the ball is filled.
 var is_filled := false
+## The places through which a way goes, from [member from] to [member to].
+var places: Array[Vec2] = []
 
 
 ## Words at a point of the plane.
@@ -38,6 +40,13 @@ static func ball(center: Vec2, its_radius: float, is_full: bool = false) -> OwnM
 	var made := _of(Shape.BALL, center, center)
 	made.radius = its_radius
 	made.is_filled = is_full
+	return made
+
+
+## A way through [param through], which is not empty.
+static func way(through: Array[Vec2]) -> OwnMark:
+	var made := _of(Shape.WAY, through[0], through[-1])
+	made.places = through
 	return made
 
 

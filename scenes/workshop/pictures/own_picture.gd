@@ -22,3 +22,12 @@ static func vector(answer: PackedFloat64Array) -> Vec2:
 ## Says of an answer that is a time and not finite what that means; "" for a time.
 static func no_impact(answer: PackedFloat64Array) -> String:
 	return LabText.translate("no impact") if is_inf(answer[0]) else ""
+
+
+## Says of an answer about a shot that there is none: a time that is not finite, or the direction
+## (0, 0); "" for a shot.
+static func no_shot(answer: PackedFloat64Array) -> String:
+	var is_none := is_inf(answer[0])
+	if answer.size() == 2:
+		is_none = vector(answer).length() == 0.0
+	return LabText.translate("no shot hits") if is_none else ""

@@ -18,4 +18,10 @@ static func of_lesson(id: String) -> OwnPicture:
 			return OwnReflection.new()
 		"line_ends":
 			return OwnLineEnds.new()
+		"lead_target":
+			return OwnLeadTarget.new()
+		"ballistic_aim":
+			return OwnBallisticAim.new()
+		"bank_shot":
+			return OwnBankShot.new()
 	return null

@@ -81,6 +81,60 @@ func test_on_a_phone_the_button_is_below_the_board_and_large_enough_for_a_thumb(
 	assert_true(frame().lesson.board.get_global_rect().encloses(place))
 
 
+func test_on_a_phone_news_move_nothing_below_them() -> void:
+	await resize(_PHONE)
+	var before := TranslationServer.get_locale()
+	for language: String in ["en", "nl"]:
+		TranslationServer.set_locale(language)
+		await open_lesson(_game)
+		# Nobody else writes the news.
+		frame().lesson.set_process(false)
+		var news: Label = frame().lesson.get(&"_news")
+		var place := Screen.button(screen(), "1").get_global_rect().position
+		for words: String in [
+			"The helper finds no way with one or two bounces.",
+			"The target is faster than the bullet and gets away.",
+			"All %d levels hit with %d shots! Now without Aim?",
+		]:
+			news.text = tr(words).replace("%d", "77")
+			await student.settle()
+			assert_eq(Screen.button(screen(), "1").get_global_rect().position, place, words)
+		screen().free()
+	TranslationServer.set_locale(before)
+
+
+func test_a_bullet_that_has_hit_stays_where_both_touch() -> void:
+	await open_lesson(_game)
+	await _point_at(_model().target_place())
+	await click_button("Fire")
+	_let_fly()
+	await student.settle()
+	var bullet := frame().lesson.get_node("%Bullet") as BallView
+	assert_true(bullet.visible)
+	assert_almost_eq(bullet.at().distance_to(_model().target_place()), GameLevel.reach(), 1e-3)
+	var trail := frame().lesson.get_node("%Trail") as FlightPath
+	assert_almost_eq(trail.places[-1], bullet.center, Vector2(1e-3, 1e-3))
+	await click_button("Next level")
+	assert_false(bullet.visible)
+	assert_false(trail.visible)
+
+
+func test_a_miss_shows_where_a_target_that_moves_was() -> void:
+	await open_lesson(_game)
+	var passed := frame().lesson.get_node("%Passed") as TargetMark
+	await click_button("2")
+	await _point_at(_model().target_place())
+	await click_button("Fire")
+	_let_fly()
+	await student.settle()
+	assert_true(passed.visible)
+	assert_false(_model().is_won())
+	assert_vec2(passed.at(), _model().missed.passed, 0.0)
+	assert_gt(passed.at().distance_to(_model().target_place()), 1.0, "it has moved on")
+	await click_button("1")
+	assert_false(passed.visible)
+
+
 func test_keys_turn_the_barrel_and_fire() -> void:
 	await open_lesson(_game)
 	var sight := frame().lesson.get_node("%Sight") as Control

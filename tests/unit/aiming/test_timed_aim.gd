@@ -127,6 +127,21 @@ func test_parallel_ways_are_told() -> void:
 	assert_eq(shot.outcome, TimedShot.Outcome.PARALLEL)
 
 
+func test_a_bullet_that_leaves_the_circle_from_its_rim_never_hits() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 7
+	for each in 500:
+		var centre := Vec2.random_unit(rng).scaled(100.0)
+		var muzzle := centre.plus(Vec2.random_unit(rng).scaled(rng.randf_range(20.0, 200.0)))
+		var outward := muzzle.minus(centre)
+		var bullet := outward.normalized().scaled(200.0)
+		bullet.rotate_radians(rng.randf_range(-1.4, 1.4))
+		var phase := rng.randf_range(-PI, PI)
+		var radius := outward.length()
+		var shot := TimedAim.at_circle(muzzle, bullet, Vec2.zero(), centre, radius, phase, 1.5)
+		assert_false(shot.hit, "%s from %s" % [bullet, outward])
+
+
 func test_a_target_that_has_passed_is_told() -> void:
 	var velocity := Vec2.new(100, 0)
 	var target := Vec2.new(500, 200)

@@ -99,6 +99,23 @@ func test_a_bullet_that_passes_tells_by_how_much() -> void:
 	assert_lt(shot.gone_after, 2.0)
 
 
+func test_a_miss_knows_where_the_target_was_when_the_bullet_was_nearest() -> void:
+	var level := GameLevel.all()[1]
+	var now := 0.7
+	var straight := level.target.place_at(now).minus(level.gun).normalized()
+	var shot := GameShot.new(level, straight, now)
+	var least := INF
+	var wanted := Vec2.zero()
+	for moment: int in 2000:
+		var bullet := level.gun.plus(straight.scaled(GameLevel.SPEED * moment / 1000.0))
+		var place := level.target.place_at(now + moment / 1000.0)
+		if bullet.distance_to(place) < least:
+			least = bullet.distance_to(place)
+			wanted = place
+	assert_almost_eq(shot.nearest, least, 0.1)
+	assert_vec2(shot.passed, wanted, 0.1)
+
+
 func test_the_way_of_a_bullet_bounces() -> void:
 	var level := GameLevel.all()[3]
 	var aim := GameAim.of(level, 0.0, false, false, true)
