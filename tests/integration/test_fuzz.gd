@@ -109,6 +109,19 @@ func test_a_ball_has_room_above_a_line_and_none_between_two() -> void:
 	assert_false(InsideCheck.has_room(world.event_world(), 0))
 
 
+func test_balls_are_jammed_only_where_lines_press_them_into_each_other() -> void:
+	var world := FuzzWorld.new()
+	world.balls = [Ball.new(Vec2.new(0, -10), 10.0), Ball.new(Vec2.new(0, -24), 10.0)]
+	world.lines = [LineSegment.new(Vec2.new(-50, 0), Vec2.new(50, 0))]
+	assert_eq(InsideCheck.jammed(world.event_world()), PackedInt32Array())
+	world.lines.append(LineSegment.new(Vec2.new(-50, -34), Vec2.new(50, -34)))
+	world.balls[1].position.x = 2.0
+	assert_eq(InsideCheck.jammed(world.event_world()), PackedInt32Array(), "they part sideways")
+	for x: float in [-10.0, 12.0]:
+		world.lines.append(LineSegment.new(Vec2.new(x, -50), Vec2.new(x, 50)))
+	assert_eq(InsideCheck.jammed(world.event_world()), PackedInt32Array([1, 0]))
+
+
 func test_the_link_that_is_printed_opens_in_the_lesson() -> void:
 	var world := RandomChain.world_of(3)
 	for method: SteppingMethods.Method in SteppingMethods.Method.values():

@@ -32,7 +32,7 @@ func begin_anew(added: int = -1) -> void:
 
 
 ## "" or what is wrong with the world until [param target], in seconds. What is squeezed may be
-## thrown to and fro without end.
+## thrown to and fro without end; so may balls that lines press into each other.
 func problem_until(target: float) -> String:
 	var start := _flight.time
 	var end := maxf(target, start)
@@ -44,6 +44,8 @@ func problem_until(target: float) -> String:
 			found = _flight.fly_to(minf(end, start + (sample + 1) / _SAMPLES_PER_SECOND))
 		if not found:
 			found = _problem_now()
+	if found and _flight.stands_still:
+		_squeezed.append_array(InsideCheck.jammed(_flight))
 	return "" if _squeezed else found
 
 

@@ -8,6 +8,8 @@ const DEEPEST := 1e-8
 
 const _EPSILON := 1.0 / 2.0 ** 52
 const _MOST_PUSHES := 400
+# A ball touches what is this near, in pixels.
+const _CONTACT := 1e-6
 
 
 ## The nearest point of each of the lines that the ball may touch.
@@ -67,6 +69,42 @@ static func has_room(world: WatchedWorld, index: int) -> bool:
 		var away := ball.position.minus(closest).normalized()
 		ball.position = closest.plus(away.scaled(ball.radius))
 	return false
+
+
+## The balls that lines press into each other: each overlaps another one, and neither of the two can
+## move away from the other without moving into what it touches. No bounce lets them out.
+static func jammed(world: WatchedWorld) -> PackedInt32Array:
+	var found: PackedInt32Array = []
+	for one: int in world.ball_places():
+		for other: int in world.ball_places():
+			var apart := world.position(one).minus(world.position(other))
+			var overlap := world.ball(one).radius + world.ball(other).radius - apart.length()
+			if other >= one or overlap <= _CONTACT or apart.length() == 0.0:
+				continue
+			if not (_can_move(world, one, apart) or _can_move(world, other, apart.scaled(-1.0))):
+				found.append_array([one, other])
+	return found
+
+
+# Whether a ball has a way, not against this direction, on which it comes nearer to nothing that it
+# touches. If there is one, it is this direction or one along something that it touches.
+static func _can_move(world: WatchedWorld, index: int, direction: Vec2) -> bool:
+	var ball := world.ball(index)
+	var ways: Array[Vec2] = [direction.normalized()]
+	var normals: Array[Vec2] = []
+	for point: Vec2 in world.nearest_points(ball):
+		var away := ball.position.minus(point)
+		if away.length() <= ball.radius + _CONTACT and away.length() > 0.0:
+			normals.append(away.normalized())
+			ways.append(normals[-1].normal())
+			ways.append(normals[-1].normal().scaled(-1.0))
+	return ways.any(
+		func(way: Vec2) -> bool:
+			var is_free := normals.all(
+				func(normal: Vec2) -> bool: return way.dot(normal) > -_CONTACT
+			)
+			return is_free and way.dot(direction) > 0.0
+	)
 
 
 static func _passes_line(world: WatchedWorld, from: Vec2, to: Vec2) -> bool:

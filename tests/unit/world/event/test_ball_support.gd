@@ -120,6 +120,23 @@ func test_a_light_ball_squeezed_into_a_corner_by_a_heavy_one_is_let_go() -> void
 		assert_lt(EventWorlds.deepest_overlap(world), 1e-9)
 
 
+# They overlap by 6 px. Each is in a corner of two lines that it could leave only through the other
+# one, and no speed is lost.
+func test_balls_that_lines_press_into_each_other_are_told_and_go_on_when_there_is_room() -> void:
+	var one := Ball.new(Vec2.new(-98.7, -33), 11.8, Vec2.new(0, -1))
+	var other := Ball.new(Vec2.new(-80, -10), 10.0)
+	var world := EventWorlds.world([Vector4(-70, 30, -124, -49)], [one, other])
+	world.most_impacts_per_second = 5000
+	var above := LineSegment.new(Vec2.new(0, -40), Vec2.new(-100, -40))
+	var aside := LineSegment.new(Vec2.new(-80, 0), Vec2.new(-70, -70))
+	assert_no_refusal(world.add_segment(above))
+	assert_no_refusal(world.add_segment(aside))
+	assert_string_starts_with(world.advance(2.0), "There are more than 5000 impacts")
+	assert_almost_eq(world.energy(), 0.5, 1e-9)
+	assert_no_refusal(world.remove_segment(2))
+	assert_no_refusal(world.advance(2.0))
+
+
 func test_a_centre_on_a_line_is_stopped_once() -> void:
 	var world := EventWorlds.world([Vector4(-90, 0, 90, 0)], [_ball(3, 0, 7, 8)])
 	assert_no_refusal(world.advance(2.0))
