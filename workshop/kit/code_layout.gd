@@ -44,30 +44,30 @@ func _init(text: String) -> void:
 
 
 ## The characters of a token; "" outside of the text.
-func at(index: int) -> String:
+func text_at(index: int) -> String:
 	return tokens[index].text if index >= 0 and index < tokens.size() else ""
 
 
 ## Whether a token is this word, and no member of that name.
 func is_word(index: int, word: String) -> bool:
-	return at(index) == word and at(index - 1) != "."
+	return text_at(index) == word and text_at(index - 1) != "."
 
 
 ## Whether a token is the first one in its line, and the line does not go on from the one above.
 func begins_line(index: int) -> bool:
 	if index <= 0:
 		return index == 0
-	return tokens[index].line > tokens[index - 1].line and at(index - 1) != "\\"
+	return tokens[index].line > tokens[index - 1].line and text_at(index - 1) != "\\"
 
 
 ## Whether a token begins a statement.
 func begins_statement(index: int) -> bool:
-	if at(index - 1) != ":":
-		return begins_line(index) or at(index - 1) == ";"
+	if text_at(index - 1) != ":":
+		return begins_line(index) or text_at(index - 1) == ";"
 	# A type stands behind a colon, too, and a value in braces.
 	if bracket_around(index) >= 0:
 		return heads.any(func(head: Head) -> bool: return head.colon == index - 1)
-	return not at(index - 3) in ["var", "const", "for"]
+	return not text_at(index - 3) in ["var", "const", "for"]
 
 
 ## The innermost bracket that is open at a token; -1 for none.
@@ -114,9 +114,9 @@ func colon_after(index: int) -> int:
 func find_outside(index: int, wanted: String) -> int:
 	var next := index + 1
 	while next < tokens.size() and not begins_line(next):
-		if at(next) == wanted:
+		if text_at(next) == wanted:
 			return next
-		if at(next) in [")", "]", "}"]:
+		if text_at(next) in [")", "]", "}"]:
 			return -1
 		next = partners[next] + 1 if partners[next] > next else next + 1
 	return -1
@@ -128,7 +128,7 @@ func statement_end(index: int) -> int:
 	while next < tokens.size():
 		if next > index and begins_line(next):
 			return next
-		if at(next) in [";", ")", "]", "}", ","]:
+		if text_at(next) in [";", ")", "]", "}", ","]:
 			return next
 		next = partners[next] + 1 if partners[next] > next else next + 1
 	return tokens.size()
@@ -136,7 +136,7 @@ func statement_end(index: int) -> int:
 
 ## Whether a value ends with a token, so that a sign behind it stands between two values.
 func ends_value(index: int) -> bool:
-	var word := at(index)
+	var word := text_at(index)
 	if not word:
 		return false
 	if word in [")", "]", "}"] or word[-1] in ['"', "'"] or word[0].is_valid_int():
@@ -148,12 +148,12 @@ func ends_value(index: int) -> bool:
 func chain_start(index: int) -> int:
 	var start := index
 	while true:
-		if at(start) in [")", "]", "}"]:
+		if text_at(start) in [")", "]", "}"]:
 			var opened := partners[start]
-			if opened < 0 or not ends_value(opened - 1) or at(start) == "}":
+			if opened < 0 or not ends_value(opened - 1) or text_at(start) == "}":
 				return maxi(opened, 0)
 			start = opened - 1
-		elif at(start - 1) == "." and ends_value(start - 2):
+		elif text_at(start - 1) == "." and ends_value(start - 2):
 			start -= 2
 		else:
 			return start
@@ -164,11 +164,11 @@ func chain_start(index: int) -> int:
 func chain_end(index: int) -> int:
 	var end := index
 	while true:
-		if at(end) in ["(", "[", "{"] and partners[end] > end:
+		if text_at(end) in ["(", "[", "{"] and partners[end] > end:
 			end = partners[end]
-		if at(end + 1) == "." and end + 2 < tokens.size():
+		if text_at(end + 1) == "." and end + 2 < tokens.size():
 			end += 2
-		elif at(end + 1) in ["(", "["] and not begins_line(end + 1):
+		elif text_at(end + 1) in ["(", "["] and not begins_line(end + 1):
 			end += 1
 		else:
 			return end
@@ -178,12 +178,12 @@ func chain_end(index: int) -> int:
 ## The last token of the operand that begins with a token: signs, a chain, and powers of it.
 func operand_end(index: int) -> int:
 	var start := index
-	while at(start) in ["-", "+", "~"]:
+	while text_at(start) in ["-", "+", "~"]:
 		start += 1
-	if at(start) == ".":
+	if text_at(start) == ".":
 		start += 1
 	var end := chain_end(start)
-	if at(end + 1) == "*" and at(end + 2) == "*":
+	if text_at(end + 1) == "*" and text_at(end + 2) == "*":
 		return operand_end(end + 3)
 	return end
 
@@ -191,9 +191,9 @@ func operand_end(index: int) -> int:
 ## Whether a token is followed by a sign that assigns, such as `=` or `+=`.
 func is_assigned(index: int) -> bool:
 	var sign_at := index + 1
-	while at(sign_at) in ["+", "-", "*", "/", "%", "&", "|", "^", "<", ">"]:
+	while text_at(sign_at) in ["+", "-", "*", "/", "%", "&", "|", "^", "<", ">"]:
 		sign_at += 1
-	return at(sign_at) == "=" and at(sign_at + 1) != "=" and sign_at - index <= 3
+	return text_at(sign_at) == "=" and text_at(sign_at + 1) != "=" and sign_at - index <= 3
 
 
 ## The parts of a call between its commas, each as its first and its last token. [param bracket] is
@@ -203,7 +203,7 @@ func arguments_of(bracket: int) -> Array[Vector2i]:
 	var first := bracket + 1
 	var next := first
 	while next <= partners[bracket]:
-		if next == partners[bracket] or at(next) == ",":
+		if next == partners[bracket] or text_at(next) == ",":
 			if next > first:
 				found.append(Vector2i(first, next - 1))
 			first = next + 1
@@ -216,9 +216,9 @@ func _pair_brackets() -> void:
 	partners.fill(-1)
 	var opened: PackedInt32Array = []
 	for index in tokens.size():
-		if at(index) in ["(", "[", "{"]:
+		if text_at(index) in ["(", "[", "{"]:
 			opened.append(index)
-		elif at(index) in [")", "]", "}"] and opened:
+		elif text_at(index) in [")", "]", "}"] and opened:
 			partners[index] = opened[-1]
 			partners[opened[-1]] = index
 			opened.remove_at(opened.size() - 1)
@@ -227,22 +227,22 @@ func _pair_brackets() -> void:
 func _head_at(index: int) -> Head:
 	var head := Head.new()
 	head.begin = index
-	head.bracket = index + 1 if at(index + 1) == "(" else index + 2
-	if at(head.bracket) != "(" or partners[head.bracket] < 0:
+	head.bracket = index + 1 if text_at(index + 1) == "(" else index + 2
+	if text_at(head.bracket) != "(" or partners[head.bracket] < 0:
 		return null
 	var closed := partners[head.bracket]
 	head.colon = closed + 1
-	if at(closed + 1) == "-" and at(closed + 2) == ">":
+	if text_at(closed + 1) == "-" and text_at(closed + 2) == ">":
 		head.colon = find_outside(closed + 2, ":")
 		if head.colon < 0:
 			return null
 		var begin := tokens[closed + 3].at
 		head.type = _text.substr(begin, tokens[head.colon].at - begin).strip_edges()
-	if at(head.colon) != ":":
+	if text_at(head.colon) != ":":
 		return null
 	var before := index - 1
-	if at(before) == "static":
+	if text_at(before) == "static":
 		before -= 1
-	if begins_line(before + 1) or at(before) == ")":
-		head.name = at(index + 1)
+	if begins_line(before + 1) or text_at(before) == ")":
+		head.name = text_at(index + 1)
 	return head

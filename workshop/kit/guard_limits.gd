@@ -17,26 +17,26 @@ var _classes: Dictionary[String, bool] = {}
 func _init(text: String) -> void:
 	_layout = WorkshopCodeLayout.new(WorkshopTogether.with_tabs(text))
 	for index in _layout.tokens.size():
-		if _layout.at(index - 1) in ["class", "class_name"]:
-			_classes[_layout.at(index)] = true
+		if _layout.text_at(index - 1) in ["class", "class_name"]:
+			_classes[_layout.text_at(index)] = true
 	for index in _layout.tokens.size():
 		if not sentence:
 			_look_at(index)
 
 
 func _look_at(index: int) -> void:
-	var word := _layout.at(index)
-	if word == "static" and _layout.at(index + 1) == "var":
+	var word := _layout.text_at(index)
+	if word == "static" and _layout.text_at(index + 1) == "var":
 		_refuse(index, "static var")
 	elif word == "_static_init":
 		_refuse(index, word)
-	elif word in ["set", "get"] and _layout.at(index + 1) in ["(", ":", "="]:
-		if _layout.at(index - 1) != ".":
+	elif word in ["set", "get"] and _layout.text_at(index + 1) in ["(", ":", "="]:
+		if _layout.text_at(index - 1) != ".":
 			_refuse(index, word)
 	elif word == "new" and _is_outside_of_functions(index):
-		if _layout.at(index - 1) != "." or _classes.has(_layout.at(index - 2)):
-			_refuse(index, _layout.at(index - 2) + ".new")
-	elif _is_parameter(index) and _layout.at(index + 1) == "(":
+		if _layout.text_at(index - 1) != "." or _classes.has(_layout.text_at(index - 2)):
+			_refuse(index, _layout.text_at(index - 2) + ".new")
+	elif _is_parameter(index) and _layout.text_at(index + 1) == "(":
 		if _layout.ends_value(index) and not word in WorkshopAllowed.FUNCTIONS.split(" "):
 			_refuse(index, word)
 
@@ -46,7 +46,7 @@ func _is_parameter(index: int) -> bool:
 	var bracket := _layout.bracket_around(index)
 	for head in _layout.heads:
 		if head.bracket == bracket and head.name:
-			return _layout.at(index - 1) != "." or _classes.has(_layout.at(index - 2))
+			return _layout.text_at(index - 1) != "." or _classes.has(_layout.text_at(index - 2))
 	return false
 
 
@@ -58,7 +58,10 @@ func _is_outside_of_functions(index: int) -> bool:
 		if _layout.begins_line(before) and _layout.indent_of(before).length() < indent:
 			indent = _layout.indent_of(before).length()
 			is_outer = true
-		if is_outer and (_layout.at(before) == "func" or _layout.at(before + 1) == "func"):
+		if (
+			is_outer
+			and (_layout.text_at(before) == "func" or _layout.text_at(before + 1) == "func")
+		):
 			return false
 	return true
 

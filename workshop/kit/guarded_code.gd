@@ -86,11 +86,11 @@ func _guard_token(index: int) -> void:
 		_guard_while(index, line)
 	elif _layout.is_word(index, "for"):
 		_guard_for(index, line)
-	elif _layout.at(index) in ["/", "%"] and _layout.ends_value(index - 1):
+	elif _layout.text_at(index) in ["/", "%"] and _layout.ends_value(index - 1):
 		_guard_division(index, line)
-	elif _layout.at(index) == ".":
+	elif _layout.text_at(index) == ".":
 		_guard_member(index, line)
-	elif _layout.at(index + 1) == "(" and _layout.partners[index + 1] > index:
+	elif _layout.text_at(index + 1) == "(" and _layout.partners[index + 1] > index:
 		_guard_call(index, line)
 	elif _layout.tokens[index].is_name() and _layout.begins_statement(index):
 		_guard_growth(index, line)
@@ -148,12 +148,12 @@ static func _leaving(head: WorkshopCodeLayout.Head) -> String:
 
 
 func _guard_division(index: int, line: int) -> void:
-	var is_assigning := _layout.at(index + 1) == "="
+	var is_assigning := _layout.text_at(index + 1) == "="
 	var first := index + 2 if is_assigning else index + 1
 	var last := _layout.statement_end(first) - 1 if is_assigning else _layout.operand_end(first)
 	if last < first or last >= _layout.tokens.size() or _is_harmless(index, first, last):
 		return
-	if _layout.at(last) == ")" and _layout.ends_value(_layout.partners[last] - 1):
+	if _layout.text_at(last) == ")" and _layout.ends_value(_layout.partners[last] - 1):
 		if _layout.chain_start(last) == first:
 			_guard_called_divisor(first, last, line)
 			return
@@ -163,13 +163,13 @@ func _guard_division(index: int, line: int) -> void:
 
 # A number that is not 0, and what no text may be filled with.
 func _is_harmless(index: int, first: int, last: int) -> bool:
-	var word := _layout.at(first)
+	var word := _layout.text_at(first)
 	if first == last and word[0].is_valid_int():
 		var digits := word.to_lower().trim_prefix("0x").trim_prefix("0b").replace("_", "")
 		return word.contains(".") or digits.strip_edges().lstrip("0") != ""
-	if _layout.at(index) == "/":
+	if _layout.text_at(index) == "/":
 		return word == "."
-	var dividend := _layout.at(index - 1)
+	var dividend := _layout.text_at(index - 1)
 	return word in ["[", "str"] or dividend[-1] in ['"', "'"] or _is_text(dividend)
 
 
@@ -188,7 +188,7 @@ func _guard_called_divisor(first: int, last: int, line: int) -> void:
 
 # What the call that ends with a token gives; "float" for what needs no guard.
 func _type_of_call(last: int) -> String:
-	var called := _layout.at(_layout.partners[last] - 1)
+	var called := _layout.text_at(_layout.partners[last] - 1)
 	if _types.has(called):
 		return _types[called]
 	if called in _WHOLE.split(" "):
@@ -201,8 +201,8 @@ func _guard_member(index: int, line: int) -> void:
 	if not _layout.ends_value(last) or not _layout.tokens[index + 1].is_name():
 		return
 	var start := _layout.chain_start(last)
-	var is_called := _layout.at(index + 2) == "("
-	var asked := '&"%s", %s, %d' % [_layout.at(index + 1), is_called, line]
+	var is_called := _layout.text_at(index + 2) == "("
+	var asked := '&"%s", %s, %d' % [_layout.text_at(index + 1), is_called, line]
 	if _is_plain(start, last):
 		var base := _plain.substr(
 			_layout.tokens[start].at, _layout.end_of(last) - _layout.tokens[start].at
@@ -212,13 +212,13 @@ func _guard_member(index: int, line: int) -> void:
 			_put(_layout.tokens[start].at, question + "; ")
 		else:
 			_wrap(start, last, "(", " if %s else %s)" % [question, base])
-	elif _layout.at(last) == ")" and _layout.ends_value(_layout.partners[last] - 1):
+	elif _layout.text_at(last) == ")" and _layout.ends_value(_layout.partners[last] - 1):
 		_guard_given(start, last, asked)
 
 
 func _guard_given(start: int, last: int, asked: String) -> void:
 	var type := _type_of_call(last)
-	if _layout.at(_layout.partners[last] - 1) == "new" or type in _BUILT_IN.split(" "):
+	if _layout.text_at(_layout.partners[last] - 1) == "new" or type in _BUILT_IN.split(" "):
 		return
 	if type.contains("[") or type == "?" or type.begins_with("Packed"):
 		return
@@ -228,17 +228,17 @@ func _guard_given(start: int, last: int, asked: String) -> void:
 
 # Whether it can be read twice: names of variables, their members, and plain indices.
 func _is_plain(start: int, last: int) -> bool:
-	var root := _layout.at(start)
+	var root := _layout.text_at(start)
 	if root.to_upper()[0] == root[0] and root[0] != "_":
 		return false
-	if root == "super" or _layout.at(_layout.statement_start(start)) == "const":
+	if root == "super" or _layout.text_at(_layout.statement_start(start)) == "const":
 		return false
 	if start == last and root == "self":
 		return false
 	for index in range(start, last + 1):
-		var is_part := _layout.at(index) in [".", "[", "]", "+", "-"]
+		var is_part := _layout.text_at(index) in [".", "[", "]", "+", "-"]
 		if not is_part and not _layout.tokens[index].is_name():
-			if not _layout.at(index).is_valid_int():
+			if not _layout.text_at(index).is_valid_int():
 				return false
 	return true
 
@@ -249,15 +249,15 @@ func _is_target(start: int, member: int) -> bool:
 
 
 func _guard_call(index: int, line: int) -> void:
-	var called := _layout.at(index)
+	var called := _layout.text_at(index)
 	var arguments := _layout.arguments_of(index + 1)
-	if _layout.at(index - 1) == ".":
+	if _layout.text_at(index - 1) == ".":
 		if called == "resize":
 			_wrap_each(arguments, "WorkshopGuard.extent(", ", %d)" % line)
 		elif called == "append_array":
 			_wrap_each(arguments, "WorkshopGuard.added(", ", %d)" % line)
 		return
-	if _types.has(called) or _layout.at(index - 1) == "func":
+	if _types.has(called) or _layout.text_at(index - 1) == "func":
 		return
 	if called in _PRINTING.split(" "):
 		_replaced[_layout.tokens[index].at] = "WorkshopGuard.say"
@@ -269,7 +269,7 @@ func _guard_call(index: int, line: int) -> void:
 		_replaced[_layout.tokens[index].at] = "WorkshopGuard.rest"
 		_put(_layout.end_of(arguments[1].y), ", %d" % line)
 	elif called == "range":
-		var is_counted := _layout.at(index - 1) == "in" and _is_in_head(index)
+		var is_counted := _layout.text_at(index - 1) == "in" and _is_in_head(index)
 		var before := "WorkshopGuard.limit(" if is_counted else "WorkshopGuard.extent("
 		_wrap_each(arguments, before, ")" if is_counted else ", %d)" % line)
 
@@ -279,7 +279,7 @@ func _is_in_head(index: int) -> bool:
 	var start := index
 	while start > 0 and not _layout.begins_statement(start):
 		start -= 1
-	return _layout.at(start) == "for" or _layout.at(start - 3) == "for"
+	return _layout.text_at(start) == "for" or _layout.text_at(start - 3) == "for"
 
 
 # A text or a list that a loop makes longer and longer.
@@ -290,9 +290,9 @@ func _guard_growth(index: int, line: int) -> void:
 		return
 	var end := _layout.statement_end(index)
 	for inner in range(index, end):
-		if _layout.at(inner) == "func":
+		if _layout.text_at(inner) == "func":
 			return
-	var guard := "; WorkshopGuard.look(%s, %d)" % [_layout.at(index), line]
+	var guard := "; WorkshopGuard.look(%s, %d)" % [_layout.text_at(index), line]
 	_put(_layout.end_of(end - 1), guard)
 
 
@@ -304,7 +304,7 @@ func _is_in_loop(index: int) -> bool:
 		if _layout.begins_line(before) and _layout.indent_of(before).length() < indent:
 			indent = _layout.indent_of(before).length()
 			is_outer = true
-		if is_outer and _layout.at(before) in ["for", "while"]:
+		if is_outer and _layout.text_at(before) in ["for", "while"]:
 			return true
 	return false
 

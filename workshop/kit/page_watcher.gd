@@ -101,8 +101,8 @@ func _problems() -> Dictionary[int, WorkshopVerdict]:
 static func _is_closed(exercise: WorkshopExercise) -> bool:
 	var layout := WorkshopCodeLayout.new(WorkshopKeptCode.text_of(exercise))
 	for index in layout.tokens.size():
-		var is_bracket := layout.at(index) in ["(", "[", "{", ")", "]", "}"]
-		if layout.at(index) in ['"', "'"] or (is_bracket and layout.partners[index] < 0):
+		var is_bracket := layout.text_at(index) in ["(", "[", "{", ")", "]", "}"]
+		if layout.text_at(index) in ['"', "'"] or (is_bracket and layout.partners[index] < 0):
 			return false
 	return true
 

@@ -34,7 +34,7 @@ func start() -> void:
 	questions.offer(GripExercise.fresh, kinds, 0, GripExercise.of_the_lecture)
 	on_enter(_model.enter)
 	on_pick(_model.take, _reveal)
-	_player = ContactPlayer.new(services[&"transport"] as Transport, _drawing)
+	_player = ContactPlayer.new(services[&"transport"] as Transport, _drawing.show_moment)
 	_player.prepare(_model, 0)
 	# Not during a drag: measuring would slow it down.
 	about_to_show.connect(func() -> void: _readout.measure(_player.contact))

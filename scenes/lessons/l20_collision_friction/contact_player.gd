@@ -11,15 +11,16 @@ var contact: FrictionContact
 ## The flight through it: at the first step as if there were no friction.
 var flight: ContactFlight
 
-var _drawing: CollisionFrictionDrawing
+var _show: Callable
 var _clock: FlightClock
 var _step := 0
 var _seconds := 0.0
 
 
-## Plays by [param transport] on [param drawing].
-func _init(transport: Transport, drawing: CollisionFrictionDrawing) -> void:
-	_drawing = drawing
+## Plays by [param transport]. [param show] shows a moment: it gets the contact, its flight and the
+## seconds since the start.
+func _init(transport: Transport, show: Callable) -> void:
+	_show = show
 	_clock = FlightClock.new(transport, _end, _go_to)
 
 
@@ -42,7 +43,7 @@ func repeat(seconds: float) -> void:
 
 ## Shows the balls at the moment that was shown last.
 func show_balls() -> void:
-	_drawing.show_moment(contact, flight, _seconds)
+	_show.call(contact, flight, _seconds)
 
 
 func _go_to(seconds: float) -> void:

@@ -26,7 +26,7 @@ var _speed: float
 var _roll_turn := 0.0
 
 
-## A disc of radius [constant MovingPlatformsModel.RADIUS] on [param incline], which has the
+## A disc of radius [constant MovingSurface.RADIUS] on [param incline], which has the
 ## friction µ, with its foot [param distance] pixels from the start of the line, and [param speed]
 ## px/s along it.
 func _init(incline: Incline, friction: float, distance: float, speed: float) -> void:
@@ -34,7 +34,7 @@ func _init(incline: Incline, friction: float, distance: float, speed: float) -> 
 	_friction = friction
 	_distance = distance
 	_speed = speed
-	slip = incline.slip(MovingPlatformsModel.RADIUS, speed, 0.0)
+	slip = incline.slip(MovingSurface.RADIUS, speed, 0.0)
 	var whole := _run(Incline.LARGEST)
 	if whole.leaves != InclineRun.End.NONE:
 		leave_time = whole.time
@@ -93,4 +93,4 @@ func turn_after(seconds: float) -> float:
 
 
 func _run(seconds: float) -> InclineRun:
-	return _incline.run(MovingPlatformsModel.RADIUS, _distance, _speed, 0.0, seconds)
+	return _incline.run(MovingSurface.RADIUS, _distance, _speed, 0.0, seconds)

@@ -29,7 +29,7 @@ static func problem_in(stored: Dictionary) -> String:
 	var kind: int = stored["kind"]
 	var mistake: int = stored["mistake"]
 	var problems: PackedStringArray = [
-		StateCheck.within("kind", kind, 0, MovingPlatformsModel.Kind.size() - 1),
+		StateCheck.within("kind", kind, 0, MovingSurface.Kind.size() - 1),
 		StateCheck.mistake(mistake, MovingPlatformsMistakes.infos()),
 	]
 	for key: String in ["ball", "velocity", "surface", "surface_velocity"]:
@@ -44,7 +44,7 @@ static func problem_in(stored: Dictionary) -> String:
 		"surface_speed": [-LARGEST, LARGEST],
 		"way": [SMALLEST, LARGEST],
 	}
-	if kind in [MovingPlatformsModel.Kind.PLATFORM, MovingPlatformsModel.Kind.PRESS]:
+	if kind in [MovingSurface.Kind.PLATFORM, MovingSurface.Kind.PRESS]:
 		limits["surface_speed"][0] = SMALLEST
 	for key in limits:
 		var number: float = stored[key]
@@ -55,11 +55,11 @@ static func problem_in(stored: Dictionary) -> String:
 
 static func _problem_of_kind(kind: int, stored: Dictionary) -> String:
 	match kind:
-		MovingPlatformsModel.Kind.WALL, MovingPlatformsModel.Kind.PADDLE:
+		MovingSurface.Kind.WALL, MovingSurface.Kind.PADDLE:
 			return _problem_of_gap(stored)
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return _problem_of_belt(stored)
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return _problem_of_press(stored)
 	return ""
 
@@ -74,12 +74,12 @@ static func _problem_of_gap(stored: Dictionary) -> String:
 	var pair: PackedFloat64Array = stored["ball"]
 	var ball := Vec2.new(pair[0], pair[1])
 	var distance := segment.closest_point(ball).distance_to(ball)
-	if distance > MovingPlatformsModel.RADIUS:
+	if distance > MovingSurface.RADIUS:
 		return ""
 	var wanted := LabText.translate(
 		"At the start the ball's centre must be more than %s px from the surface, not %s."
 	)
-	return wanted % [MovingPlatformsModel.RADIUS, distance].map(NumberText.short)
+	return wanted % [MovingSurface.RADIUS, distance].map(NumberText.short)
 
 
 static func _problem_of_belt(stored: Dictionary) -> String:

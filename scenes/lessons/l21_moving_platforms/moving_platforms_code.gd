@@ -15,11 +15,11 @@ static func lines(
 ) -> PackedStringArray:
 	if model.is_carried():
 		return _lines_on_carried(model, step)
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+	if model.kind == MovingSurface.Kind.PRESS:
 		return _lines_on_press(step)
 	if not model.impact().hit:
 		return []
-	var is_paddle := model.kind == MovingPlatformsModel.Kind.PADDLE
+	var is_paddle := model.kind == MovingSurface.Kind.PADDLE
 	match step:
 		MovingPlatformsModel.Step.FRAME:
 			if is_paddle:
@@ -46,7 +46,7 @@ static func _lines_on_carried(
 			if model.run().run_case == CarriedRun.Case.ROLLS_LATER and model.run().pull() == 0.0:
 				return ["var t := absf(slip) / (3.0 * grip)", "var v := speed - slip / 3.0"]
 		MovingPlatformsModel.Step.FLY:
-			if model.kind == MovingPlatformsModel.Kind.BELT:
+			if model.kind == MovingSurface.Kind.BELT:
 				return [
 					"var run := belt.run(radius, distance, speed, 0.0, 1.0)", "var v := run.speed"
 				]
@@ -73,7 +73,7 @@ static func _lines_on_press(step: MovingPlatformsModel.Step) -> PackedStringArra
 static func inputs(model: MovingPlatformsModel) -> Dictionary[String, Variant]:
 	if model.is_carried():
 		return _inputs_on_carried(model)
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+	if model.kind == MovingSurface.Kind.PRESS:
 		return {
 			"Press": Press,
 			"speed": model.speed,
@@ -99,10 +99,10 @@ static func inputs(model: MovingPlatformsModel) -> Dictionary[String, Variant]:
 
 static func _inputs_on_carried(model: MovingPlatformsModel) -> Dictionary[String, Variant]:
 	var run := model.run()
-	var is_platform := model.kind == MovingPlatformsModel.Kind.PLATFORM
+	var is_platform := model.kind == MovingSurface.Kind.PLATFORM
 	return {
 		"belt": model.incline(),
-		"radius": MovingPlatformsModel.RADIUS,
+		"radius": MovingSurface.RADIUS,
 		"distance": model.distance(),
 		# The platform has turned back.
 		"speed": model.surface_speed if is_platform else model.speed,

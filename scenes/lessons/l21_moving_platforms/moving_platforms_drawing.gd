@@ -71,11 +71,11 @@ func show_moment(
 	_surface.is_belt = model.is_carried()
 	_surface.run = model.surface_speed * seconds if model.kind == model.Kind.BELT else 0.0
 	_lay_surface(_far_wall, flight, model.far_wall(), seconds)
-	_far_wall.visible = model.kind == MovingPlatformsModel.Kind.PRESS
+	_far_wall.visible = model.kind == MovingSurface.Kind.PRESS
 	var place := flight.ball_at(seconds)
-	_ball.lay(flight.seen(place, seconds), MovingPlatformsModel.RADIUS)
+	_ball.lay(flight.seen(place, seconds), MovingSurface.RADIUS)
 	_ball.turn = flight.turn_at(seconds)
-	if model.from_surface and model.kind == MovingPlatformsModel.Kind.PADDLE:
+	if model.from_surface and model.kind == MovingSurface.Kind.PADDLE:
 		_ball.turn -= model.turning * seconds
 	_ball.role = Palette.Role.WRONG if flight.is_crushed(seconds) else Palette.Role.A
 	_ball.label = LabText.translate("t = %s s") % NumberText.short(seconds, 3) if seconds else ""
@@ -97,14 +97,14 @@ func points_to_show(model: MovingPlatformsModel, handles: MovingPlatformsHandles
 		most = maxf(most, _FARTHEST * point.length())
 	var others: Array[Vec2] = []
 	match model.kind:
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			others = [model.far_wall().end, _in_press(model, 0.0, 0.0)]
 			others.append(_in_press(model, 0.0, _diagram_end(model)))
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			others.append(surface.end.plus(Vec2.new(model.way, 0.0)))
 			var slip := Vec2.new(model.run().slip * seconds, 0.0)
 			others.append(model.place_at(model.turn_time()).plus(slip))
-			others.append(Vec2.new(0.0, -3.0 * MovingPlatformsModel.RADIUS))
+			others.append(Vec2.new(0.0, -3.0 * MovingSurface.RADIUS))
 		_:
 			if model.is_impact() and model.impact().hit:
 				var met := model.impact()
@@ -150,7 +150,7 @@ func _lay_start(
 	var seconds := model.arrow_seconds()
 	var tail := handles.velocity_tail()
 	_velocity.lay(tail, tail.plus(model.first_velocity().scaled(seconds)))
-	_velocity.visible = model.kind != MovingPlatformsModel.Kind.PLATFORM
+	_velocity.visible = model.kind != MovingSurface.Kind.PLATFORM
 	_velocity.label = _names(model)[0]
 	# Later the same arrow is drawn at the impact, and others beside it.
 	if not model.is_carried() and step > MovingPlatformsModel.Step.WATCH:
@@ -183,7 +183,7 @@ func _lay_impact(
 	var met := model.impact()
 	var is_shown := met != null and met.hit and step >= MovingPlatformsModel.Step.FRAME
 	# Then the press shows all of its bounces.
-	if model.kind == MovingPlatformsModel.Kind.PRESS and step >= MovingPlatformsModel.Step.BACK:
+	if model.kind == MovingSurface.Kind.PRESS and step >= MovingPlatformsModel.Step.BACK:
 		is_shown = false
 	for part: Node2D in [_coming, _subtracted, _seen, _normal, _bounced, _added, _leaving]:
 		part.visible = false
@@ -196,7 +196,7 @@ func _lay_impact(
 	_subtracted.label = _names(model)[1]
 	_lay_surface(_surface_then, flight, flight.surface_at(met.time), met.time)
 	var center := flight.seen(met.center, met.time)
-	_ball_then.lay(center, MovingPlatformsModel.RADIUS)
+	_ball_then.lay(center, MovingSurface.RADIUS)
 	_lay_arm(model, flight, step)
 	_lay_before(model, flight, center, step)
 	_lay_after(model, flight, center, step)
@@ -204,7 +204,7 @@ func _lay_impact(
 
 # Of the velocities of ball and surface.
 static func _names(model: MovingPlatformsModel) -> PackedStringArray:
-	return ["u₀", "V"] if model.kind == MovingPlatformsModel.Kind.PRESS else ["v", "w"]
+	return ["u₀", "V"] if model.kind == MovingSurface.Kind.PRESS else ["v", "w"]
 
 
 func _lay_arm(
@@ -212,7 +212,7 @@ func _lay_arm(
 ) -> void:
 	var met := model.impact()
 	_arm.visible = (
-		model.kind == MovingPlatformsModel.Kind.PADDLE and step == MovingPlatformsModel.Step.FRAME
+		model.kind == MovingSurface.Kind.PADDLE and step == MovingPlatformsModel.Step.FRAME
 	)
 	var touched := model.surface_start.plus(met.arm)
 	_arm.lay(model.surface_start, flight.seen(touched, met.time))
@@ -310,9 +310,9 @@ func _lay_carried(
 	if not model.is_carried():
 		return
 	var run := model.run()
-	var begin := model.turn_time() if model.kind == MovingPlatformsModel.Kind.PLATFORM else 0.0
+	var begin := model.turn_time() if model.kind == MovingSurface.Kind.PLATFORM else 0.0
 	var center := flight.seen(model.place_at(begin), begin)
-	var foot := center.minus(model.up().scaled(MovingPlatformsModel.RADIUS))
+	var foot := center.minus(model.up().scaled(MovingSurface.RADIUS))
 	var along := model.along()
 	_seen.lay(foot, foot.plus(along.scaled(run.slip * model.arrow_seconds())))
 	_seen.keep_label_from(center)
@@ -323,10 +323,10 @@ func _lay_carried(
 	_friction.keep_label_from(foot.minus(model.up()))
 	_friction.visible = step == MovingPlatformsModel.Step.LAW and model.friction > 0.0
 	_friction.visible = _friction.visible and run.slip != 0.0
-	var is_platform := model.kind == MovingPlatformsModel.Kind.PLATFORM
+	var is_platform := model.kind == MovingSurface.Kind.PLATFORM
 	_ball_then.visible = is_platform and step >= MovingPlatformsModel.Step.FRAME
 	_surface_then.visible = _ball_then.visible
-	_ball_then.lay(center, MovingPlatformsModel.RADIUS)
+	_ball_then.lay(center, MovingSurface.RADIUS)
 	_lay_surface(_surface_then, flight, flight.surface_at(begin), begin)
 	if step >= MovingPlatformsModel.Step.BACK and run.rolls():
 		_lay_rolling(model, flight, begin + run.roll_time)
@@ -335,7 +335,7 @@ func _lay_carried(
 func _lay_rolling(model: MovingPlatformsModel, flight: PlatformFlight, moment: float) -> void:
 	var center := flight.seen(model.place_at(moment), moment)
 	_ball_then.visible = true
-	_ball_then.lay(center, MovingPlatformsModel.RADIUS)
+	_ball_then.lay(center, MovingSurface.RADIUS)
 	_lay_surface(_surface_then, flight, flight.surface_at(moment), moment)
 	var rolling := model.along().scaled(model.rolling_speed() * model.arrow_seconds())
 	_leaving.lay(center, center.plus(rolling))
@@ -348,7 +348,7 @@ func _lay_diagram(
 	model: MovingPlatformsModel, flight: PlatformFlight, step: MovingPlatformsModel.Step
 ) -> void:
 	var is_shown := (
-		model.kind == MovingPlatformsModel.Kind.PRESS and step >= MovingPlatformsModel.Step.BACK
+		model.kind == MovingSurface.Kind.PRESS and step >= MovingPlatformsModel.Step.BACK
 	)
 	for part: Node2D in [_zigzag, _wall_way, _far_way]:
 		part.visible = is_shown
@@ -395,7 +395,7 @@ func _lay_wrong_ball(
 	_wrong_ball.visible = (
 		step >= MovingPlatformsModel.Step.BACK
 		and model.mistake_shows()
-		and model.kind != MovingPlatformsModel.Kind.PRESS
+		and model.kind != MovingSurface.Kind.PRESS
 	)
 	if not _wrong_ball.visible:
 		return
@@ -406,12 +406,12 @@ func _lay_wrong_ball(
 	elif model.mistake == MovingPlatformsMistakes.FRAME_LATE:
 		place = model.place_at(maxf(seconds - MovingPlatformsMistakes.FRAME, 0.0))
 	elif model.is_carried():
-		var begin := model.turn_time() if model.kind == MovingPlatformsModel.Kind.PLATFORM else 0.0
+		var begin := model.turn_time() if model.kind == MovingSurface.Kind.PLATFORM else 0.0
 		var since := seconds - begin - model.run().roll_time
 		if since > 0.0:
 			place = model.place_at(seconds - since)
 			place.add(model.along().scaled(model.wrong_speed() * since))
-	_wrong_ball.lay(flight.seen(place, seconds), MovingPlatformsModel.RADIUS)
+	_wrong_ball.lay(flight.seen(place, seconds), MovingSurface.RADIUS)
 
 
 # The card gives way to what can be dragged and to what is shown at the impact.

@@ -105,7 +105,7 @@ static func _any(numbers: PackedFloat64Array, rng: RandomNumberGenerator) -> flo
 
 func _ask_wall(velocity: float, wall_velocity: float, bounciness: float) -> void:
 	board = {
-		"kind": int(MovingPlatformsModel.Kind.WALL),
+		"kind": int(MovingSurface.Kind.WALL),
 		"ball": [200.0, 0.0],
 		"velocity": [velocity, 0.0],
 		"surface": [-120.0, -120.0, -120.0, 120.0],
@@ -140,7 +140,7 @@ func _ask_wall(velocity: float, wall_velocity: float, bounciness: float) -> void
 
 func _ask_belt(speed: float, belt_speed: float) -> void:
 	board = {
-		"kind": int(MovingPlatformsModel.Kind.BELT),
+		"kind": int(MovingSurface.Kind.BELT),
 		"ball": [-120.0, 20.0],
 		"surface": [-200.0, 40.0, 200.0, 40.0],
 		"speed": speed,
@@ -167,8 +167,8 @@ func _ask_paddle(speed: float, turn: float, arm: float, length: float) -> void:
 	var time := _TURNED / turn
 	var tip := Vec2.unit_radians(-0.5 * PI - _TURNED).scaled(length)
 	board = {
-		"kind": int(MovingPlatformsModel.Kind.PADDLE),
-		"ball": [MovingPlatformsModel.RADIUS + speed * time, _PIVOT_Y - arm],
+		"kind": int(MovingSurface.Kind.PADDLE),
+		"ball": [MovingSurface.RADIUS + speed * time, _PIVOT_Y - arm],
 		"velocity": [-speed, 0.0],
 		"surface": [0.0, _PIVOT_Y, tip.x, _PIVOT_Y + tip.y],
 		"turning": turn,
@@ -191,7 +191,7 @@ func _ask_paddle(speed: float, turn: float, arm: float, length: float) -> void:
 
 func _ask_press(kind: Kind, way: float, speed: float, wall_speed: float, bounce: float) -> void:
 	board = {
-		"kind": int(MovingPlatformsModel.Kind.PRESS),
+		"kind": int(MovingSurface.Kind.PRESS),
 		"way": way,
 		"speed": speed,
 		"surface_speed": wall_speed,

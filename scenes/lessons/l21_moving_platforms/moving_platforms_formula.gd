@@ -37,7 +37,7 @@ func show_model(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) ->
 	_put_what_is_typed(model)
 	if model.is_carried():
 		_put_carried(model)
-	elif model.kind == MovingPlatformsModel.Kind.PRESS:
+	elif model.kind == MovingSurface.Kind.PRESS:
 		_put_press(model)
 	elif model.impact().hit:
 		_put_impact(model)
@@ -49,13 +49,13 @@ static func _given(
 ) -> PackedStringArray:
 	var is_first := step == MovingPlatformsModel.Step.WATCH or not _is_known(model)
 	match model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return [_ENDS, _BELT] if is_first else [_BELT]
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return [_PLATFORM]
-		MovingPlatformsModel.Kind.PADDLE:
+		MovingSurface.Kind.PADDLE:
 			return [_BALL, _ENDS, _PADDLE] if is_first else [_VELOCITY]
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return [_PRESS]
 	return [_BALL, _ENDS, _WALL] if is_first else [_VELOCITIES]
 
@@ -66,11 +66,11 @@ static func _is_known(model: MovingPlatformsModel) -> bool:
 
 func _lines(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) -> PackedStringArray:
 	match model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return _lines_on_belt(model, step)
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return _lines_on_platform(model, step)
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return _lines_on_press(model, step)
 	if not model.impact().hit:
 		return [tr("no impact")]
@@ -83,7 +83,7 @@ static func _lines_on_impact(
 	var found: PackedStringArray = []
 	match step:
 		MovingPlatformsModel.Step.FRAME:
-			if model.kind == MovingPlatformsModel.Kind.PADDLE:
+			if model.kind == MovingSurface.Kind.PADDLE:
 				found.append_array(_ARM)
 			found.append(_SEEN)
 		MovingPlatformsModel.Step.LAW:
@@ -264,7 +264,7 @@ func _put_carried(model: MovingPlatformsModel) -> void:
 	var size := absf(model.speed) + absf(model.surface_speed) + absf(run.slip)
 	if run.rolls():
 		_formula.put_sum("va_value", model.rolling_speed(), size, Palette.Role.PROJECTION)
-	if model.kind == MovingPlatformsModel.Kind.PLATFORM:
+	if model.kind == MovingSurface.Kind.PLATFORM:
 		_formula.put_number("turn_time", model.turn_time(), ink)
 	if model.mistake_shows():
 		_formula.put_number("wrong_speed", model.wrong_speed(), Palette.Role.WRONG)

@@ -50,26 +50,26 @@ func read_scene() -> void:
 ## Places all of them as the model has them now.
 func place() -> void:
 	var kind := _model.kind
-	var has_ends := kind in [MovingPlatformsModel.Kind.WALL, MovingPlatformsModel.Kind.BELT]
-	has_ends = has_ends or kind == MovingPlatformsModel.Kind.PADDLE
+	var has_ends := kind in [MovingSurface.Kind.WALL, MovingSurface.Kind.BELT]
+	has_ends = has_ends or kind == MovingSurface.Kind.PADDLE
 	_ball.place(_model.place_at(0.0))
 	_velocity.place(velocity_tail().plus(_arrow_of(_model.first_velocity())))
 	_start.place(_model.surface_start)
 	_end.place(_model.surface_end)
 	_surface_velocity.place(surface_tail().plus(_arrow_of(first_surface_velocity())))
 	_far.place(_model.far_wall().start.lerped(_model.far_wall().end, 0.5))
-	_ball.visible = _model.is_impact() or kind == MovingPlatformsModel.Kind.BELT
-	_velocity.visible = kind != MovingPlatformsModel.Kind.PLATFORM
+	_ball.visible = _model.is_impact() or kind == MovingSurface.Kind.BELT
+	_velocity.visible = kind != MovingSurface.Kind.PLATFORM
 	_start.visible = has_ends
 	_end.visible = has_ends
-	_far.visible = kind == MovingPlatformsModel.Kind.PRESS
+	_far.visible = kind == MovingSurface.Kind.PRESS
 
 
 ## Where the arrow of the ball's velocity begins: on a belt above the disc, which can be dragged,
 ## too.
 func velocity_tail() -> Vec2:
 	var center := _model.place_at(0.0)
-	if _model.kind != MovingPlatformsModel.Kind.BELT:
+	if _model.kind != MovingSurface.Kind.BELT:
 		return center
 	return center.plus(_model.up().scaled(_ABOVE))
 
@@ -78,12 +78,12 @@ func velocity_tail() -> Vec2:
 ## wall, and beside a belt or platform.
 func surface_tail() -> Vec2:
 	var surface := _model.first_surface()
-	if _model.kind == MovingPlatformsModel.Kind.PADDLE:
+	if _model.kind == MovingSurface.Kind.PADDLE:
 		return surface.end
 	var middle := surface.start.lerped(surface.end, 0.5)
 	if _model.is_carried():
 		return middle.minus(_model.up().scaled(_BESIDE))
-	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+	if _model.kind == MovingSurface.Kind.PRESS:
 		return surface.end.lerped(surface.start, 0.15)
 	return middle
 
@@ -91,9 +91,9 @@ func surface_tail() -> Vec2:
 ## How fast the surface moves at the start: where the arrow begins.
 func first_surface_velocity() -> Vec2:
 	match _model.kind:
-		MovingPlatformsModel.Kind.WALL:
+		MovingSurface.Kind.WALL:
 			return _model.surface_velocity.copy()
-		MovingPlatformsModel.Kind.PADDLE:
+		MovingSurface.Kind.PADDLE:
 			var arm := _model.surface_end.minus(_model.surface_start)
 			return _model.moving().velocity_at(arm)
 	return _model.along().scaled(_model.surface_speed)
@@ -131,10 +131,10 @@ func _drag_end(to: Vec2, at: int) -> String:
 func _drag_surface_velocity(head: Vec2) -> String:
 	var arrow := head.minus(surface_tail())
 	match _model.kind:
-		MovingPlatformsModel.Kind.WALL:
+		MovingSurface.Kind.WALL:
 			var velocity := _to_velocity(arrow)
 			return _take("surface_velocity", [velocity.x, velocity.y])
-		MovingPlatformsModel.Kind.PADDLE:
+		MovingSurface.Kind.PADDLE:
 			var arm := _model.surface_end.minus(_model.surface_start)
 			var across := Vec2.new(-arm.y, arm.x)
 			var turn := arrow.dot(across) / arm.length_squared() / _model.arrow_seconds()
@@ -143,7 +143,7 @@ func _drag_surface_velocity(head: Vec2) -> String:
 
 
 func _drag_far_wall(to: Vec2) -> String:
-	return _model.take({"way": 2.0 * (to.x - MovingPlatformsModel.RADIUS)})
+	return _model.take({"way": 2.0 * (to.x - MovingSurface.RADIUS)})
 
 
 func _take(key: String, list: PackedFloat64Array) -> String:

@@ -6,13 +6,9 @@ extends LessonModel
 ## Pixels, seconds, y points down; gravity, where a ball lies on something, is
 ## [constant GRAVITY].
 
-## What moves.
-enum Kind { WALL, BELT, PLATFORM, PADDLE, PRESS }
 ## How the explanation is built up.
 enum Step { WATCH, FRAME, LAW, BACK, FLY }
 
-## The ball's radius, in pixels.
-const RADIUS := 20.0
 ## In px/s²; only where a ball lies on a belt or a platform.
 const GRAVITY := 600.0
 ## The platform is so long, in pixels, and lies so at the start, its middle above the origin.
@@ -23,7 +19,7 @@ const PRESS_HEIGHT := 120.0
 const PRESS_BOUNCE := 3.0
 
 ## What moves.
-var kind := Kind.WALL
+var kind := MovingSurface.Kind.WALL
 ## The ball's centre at the start. On a belt it lies above the nearest point.
 var ball := Vec2.new(200.0, -100.0)
 ## v: its velocity at the start, in px/s, where it flies to a wall or paddle.
@@ -60,48 +56,51 @@ var _run: CarriedRun
 
 ## Whether a ball flies to a surface that moves or turns.
 func is_impact() -> bool:
-	return kind in [Kind.WALL, Kind.PADDLE]
+	return kind in [MovingSurface.Kind.WALL, MovingSurface.Kind.PADDLE]
 
 
 ## Whether a disc lies on a surface.
 func is_carried() -> bool:
-	return kind in [Kind.BELT, Kind.PLATFORM]
+	return kind in [MovingSurface.Kind.BELT, MovingSurface.Kind.PLATFORM]
 
 
 ## The arrows of velocities show so many seconds of them.
 func arrow_seconds() -> float:
-	if kind == Kind.PRESS:
+	if kind == MovingSurface.Kind.PRESS:
 		return 0.25
 	return 1.0 if is_carried() else 0.5
 
 
 ## The ball at the start.
 func first_ball() -> Ball:
-	return Ball.new(place_at(0.0), RADIUS, first_velocity())
+	return Ball.new(place_at(0.0), MovingSurface.RADIUS, first_velocity())
 
 
 ## Its velocity at the start, in px/s.
 func first_velocity() -> Vec2:
 	if is_impact():
 		return velocity.copy()
-	return along().scaled(surface_speed if kind == Kind.PLATFORM else speed)
+	return along().scaled(surface_speed if kind == MovingSurface.Kind.PLATFORM else speed)
 
 
 ## The surface at the start.
 func first_surface() -> LineSegment:
 	match kind:
-		Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			var half := 0.5 * PLATFORM_LENGTH
 			var left := -0.5 * way
-			return LineSegment.new(Vec2.new(left - half, RADIUS), Vec2.new(left + half, RADIUS))
-		Kind.PRESS:
-			return _press_wall(-0.5 * way - RADIUS)
+			return LineSegment.new(
+				Vec2.new(left - half, MovingSurface.RADIUS),
+				Vec2.new(left + half, MovingSurface.RADIUS)
+			)
+		MovingSurface.Kind.PRESS:
+			return _press_wall(-0.5 * way - MovingSurface.RADIUS)
 	return LineSegment.new(surface_start, surface_end)
 
 
 ## The wall of the press that rests.
 func far_wall() -> LineSegment:
-	return _press_wall(0.5 * way + RADIUS)
+	return _press_wall(0.5 * way + MovingSurface.RADIUS)
 
 
 static func _press_wall(x: float) -> LineSegment:
@@ -110,7 +109,7 @@ static func _press_wall(x: float) -> LineSegment:
 
 ## The direction in which speeds along a line count; length 1.
 func along() -> Vec2:
-	if kind == Kind.BELT:
+	if kind == MovingSurface.Kind.BELT:
 		return surface_end.minus(surface_start).normalized()
 	return Vec2.new(1.0, 0.0)
 
@@ -122,7 +121,7 @@ func up() -> Vec2:
 
 ## Where on the belt or platform the disc lies at the start, in pixels from its left end.
 func distance() -> float:
-	if kind == Kind.PLATFORM:
+	if kind == MovingSurface.Kind.PLATFORM:
 		return 0.5 * PLATFORM_LENGTH
 	var belt := first_surface()
 	return clampf(belt.share_of(ball), 0.0, 1.0) * belt.length()
@@ -130,14 +129,14 @@ func distance() -> float:
 
 ## The wall or paddle as it moves.
 func moving() -> TurningSegment:
-	if kind == Kind.PADDLE:
+	if kind == MovingSurface.Kind.PADDLE:
 		return TurningSegment.new(first_surface(), surface_start, turning)
 	return TurningSegment.new(first_surface(), surface_start, 0.0, surface_velocity)
 
 
 ## The line on which a disc lies, as the surface sees it; the belt runs.
 func incline() -> Incline:
-	var belt := surface_speed if kind == Kind.BELT else 0.0
+	var belt := surface_speed if kind == MovingSurface.Kind.BELT else 0.0
 	return Incline.new(first_surface(), Vec2.new(0.0, GRAVITY), friction, belt)
 
 
@@ -153,7 +152,7 @@ func impact() -> SurfaceImpact:
 func time_to_next_impact() -> float:
 	var surface := moving().segment_at(impact().time)
 	var now := TurningSegment.new(surface, surface.start, moving().turn, moving().velocity)
-	var leaves := Ball.new(impact().center, RADIUS, impact().leaving)
+	var leaves := Ball.new(impact().center, MovingSurface.RADIUS, impact().leaving)
 	var next := SurfaceImpact.of(leaves, now, bounciness)
 	return next.time if next.hit else INF
 
@@ -172,7 +171,7 @@ func turn_time() -> float:
 
 ## How fast the ball rolls at last, in px/s, as the lab sees it: on a belt and on the platform.
 func rolling_speed() -> float:
-	return run().roll_speed - (surface_speed if kind == Kind.PLATFORM else 0.0)
+	return run().roll_speed - (surface_speed if kind == MovingSurface.Kind.PLATFORM else 0.0)
 
 
 ## How far the platform is to the right of its start after so many seconds, in pixels, until it is
@@ -194,14 +193,14 @@ func crush_time() -> float:
 ## Where the ball's centre is after so many seconds, by the formulas.
 func place_at(seconds: float) -> Vec2:
 	match kind:
-		Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return _above(first_surface().start, run().after(seconds).distance)
-		Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			var left := first_surface().start
 			left.x += platform_way(seconds)
 			var since := seconds - turn_time()
 			return _above(left, run().after(since).distance if since > 0.0 else distance())
-		Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return _place_in_press(seconds)
 	var met := impact()
 	if not met.hit or seconds <= met.time:
@@ -210,7 +209,7 @@ func place_at(seconds: float) -> Vec2:
 
 
 func _above(start: Vec2, distance_along: float) -> Vec2:
-	return start.plus(along().scaled(distance_along)).plus(up().scaled(RADIUS))
+	return start.plus(along().scaled(distance_along)).plus(up().scaled(MovingSurface.RADIUS))
 
 
 func _place_in_press(seconds: float) -> Vec2:
@@ -234,9 +233,9 @@ func surface_end_at(seconds: float) -> Vec2:
 ## The ball's speed by the mistake, in px/s: at last on a belt or platform, after the bounce number
 ## [constant PRESS_BOUNCE] in a press.
 func wrong_speed() -> float:
-	if kind == Kind.PRESS:
+	if kind == MovingSurface.Kind.PRESS:
 		return MovingPlatformsMistakes.press_speed(mistake, speed, surface_speed, PRESS_BOUNCE)
-	return surface_speed if kind == Kind.BELT else -surface_speed
+	return surface_speed if kind == MovingSurface.Kind.BELT else -surface_speed
 
 
 ## Whether the mistake that is switched on makes something else of this state.
@@ -247,8 +246,8 @@ func mistake_shows() -> bool:
 		MovingPlatformsMistakes.BELT_SPEED:
 			return is_carried() and run().run_case == CarriedRun.Case.ROLLS_LATER
 		MovingPlatformsMistakes.FRAME_LATE:
-			return kind == Kind.PLATFORM
-	if kind == Kind.PRESS:
+			return kind == MovingSurface.Kind.PLATFORM
+	if kind == MovingSurface.Kind.PRESS:
 		return absf(wrong_speed() - _press_speed()) > 0.0
 	if not is_impact() or not impact().hit:
 		return false
@@ -351,15 +350,17 @@ func _solve() -> void:
 	_impact = null
 	_run = null
 	match kind:
-		Kind.BELT:
+		MovingSurface.Kind.BELT:
 			_run = CarriedRun.new(incline(), friction, distance(), speed)
-		Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			# The platform turns back at once: seen from it the disc then moves with 2 V.
 			_run = CarriedRun.new(incline(), friction, distance(), 2.0 * surface_speed)
-		Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			_impact = _first_bounce_in_press()
 		_:
-			_impact = SurfaceImpact.of(Ball.new(ball, RADIUS, velocity), moving(), bounciness)
+			_impact = SurfaceImpact.of(
+				Ball.new(ball, MovingSurface.RADIUS, velocity), moving(), bounciness
+			)
 
 
 func _first_bounce_in_press() -> SurfaceImpact:

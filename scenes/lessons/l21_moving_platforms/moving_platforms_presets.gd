@@ -39,7 +39,7 @@ const _PRESS: Dictionary[String, Variant] = {
 	kind = 4, way = 200.0, speed = 300.0, surface_speed = 100.0
 }
 
-## With which numbers each kind starts, in the order of [enum MovingPlatformsModel.Kind].
+## With which numbers each kind starts, in the order of [enum MovingSurface.Kind].
 const OF_KIND: Array[Dictionary] = [_WALL, _BELT, _PLATFORM, _PADDLE, _PRESS]
 
 ## Presets by their titles (source text): what each changes in the model's state.

@@ -22,7 +22,7 @@ func show_model(model: MovingPlatformsModel, step: MovingPlatformsModel.Step) ->
 	_readout.visible = step == MovingPlatformsModel.Step.FLY
 	if model.is_carried():
 		_show_rolling(model)
-	elif model.kind == MovingPlatformsModel.Kind.PRESS:
+	elif model.kind == MovingSurface.Kind.PRESS:
 		_show_crush(model)
 	else:
 		_show_velocity(model)
@@ -38,7 +38,7 @@ func _show_velocity(model: MovingPlatformsModel) -> void:
 	var error := ""
 	var along := model.first_surface().along()
 	var is_line := absf(met.normal.dot(along)) <= 1e-6 * along.length()
-	if model.kind == MovingPlatformsModel.Kind.WALL and is_line:
+	if model.kind == MovingSurface.Kind.WALL and is_line:
 		error = NumberText.size(
 			PlatformExact.error_of_velocity(
 				met.leaving, model.velocity, model.surface_velocity, along, model.bounciness
@@ -51,7 +51,7 @@ func _show_rolling(model: MovingPlatformsModel) -> void:
 	if not model.run().rolls():
 		_show("v′", LabText.translate("none"), "")
 		return
-	var is_platform := model.kind == MovingPlatformsModel.Kind.PLATFORM
+	var is_platform := model.kind == MovingSurface.Kind.PLATFORM
 	var speed := model.surface_speed if is_platform else model.speed
 	var surface_speed := -model.surface_speed if is_platform else model.surface_speed
 	var rolling := model.rolling_speed()
@@ -76,7 +76,7 @@ static func _call(model: MovingPlatformsModel) -> Callable:
 		var incline := model.incline()
 		var distance := model.distance()
 		return func() -> InclineRun:
-			return incline.run(MovingPlatformsModel.RADIUS, distance, model.speed, 0.0, 1.0)
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+			return incline.run(MovingSurface.RADIUS, distance, model.speed, 0.0, 1.0)
+	if model.kind == MovingSurface.Kind.PRESS:
 		return Press.at.bind(0.5 * model.crush_time(), model.way, model.speed, model.surface_speed)
 	return SurfaceImpact.of.bind(model.first_ball(), model.moving(), model.bounciness)

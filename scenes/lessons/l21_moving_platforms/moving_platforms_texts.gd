@@ -3,7 +3,7 @@ extends RefCounted
 ## The sentences and the verdict of the lesson on surfaces that move.
 
 
-## The surfaces that move, translated, in the order of [enum MovingPlatformsModel.Kind].
+## The surfaces that move, translated, in the order of [enum MovingSurface.Kind].
 static func kinds() -> PackedStringArray:
 	return [
 		LabText.translate("a wall"),
@@ -17,11 +17,11 @@ static func kinds() -> PackedStringArray:
 ## One sentence a step, translated.
 static func sentences(model: MovingPlatformsModel) -> PackedStringArray:
 	match model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return _on_belt(model)
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return _on_platform(model)
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return _on_press()
 	if not model.impact().hit:
 		var sentence := LabText.translate(
@@ -33,7 +33,7 @@ static func sentences(model: MovingPlatformsModel) -> PackedStringArray:
 
 
 static func _on_impact(model: MovingPlatformsModel) -> PackedStringArray:
-	var is_paddle := model.kind == MovingPlatformsModel.Kind.PADDLE
+	var is_paddle := model.kind == MovingSurface.Kind.PADDLE
 	return [
 		(
 			LabText.translate(
@@ -162,11 +162,11 @@ static func _on_flight(model: MovingPlatformsModel) -> String:
 ## What is asked before the law is shown, translated; "" for the kinds without a question.
 static func question(model: MovingPlatformsModel) -> String:
 	match model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return LabText.translate("The disc is put on at rest. How fast is it when it rolls?")
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return LabText.translate("The platform turns back at once. What does the disc do?")
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return LabText.translate("How often does the ball bounce before it is crushed?")
 	return ""
 
@@ -174,19 +174,19 @@ static func question(model: MovingPlatformsModel) -> String:
 ## The answers to [method question], translated.
 static func choices(model: MovingPlatformsModel) -> PackedStringArray:
 	match model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return [
 				LabText.translate("as fast as the belt"),
 				LabText.translate("two thirds as fast"),
 				LabText.translate("a third as fast"),
 			]
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return [
 				LabText.translate("it turns back, too"),
 				LabText.translate("it stops"),
 				LabText.translate("it goes on, more slowly"),
 			]
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return [
 				LabText.translate("that depends on u₀"),
 				LabText.translate("that depends on V"),
@@ -197,11 +197,11 @@ static func choices(model: MovingPlatformsModel) -> PackedStringArray:
 
 ## The right one of [method choices], counted from 0; below 0 where there is nothing to ask.
 static func right_choice(model: MovingPlatformsModel) -> int:
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+	if model.kind == MovingSurface.Kind.PRESS:
 		return 2
 	if not model.is_carried() or model.run().run_case != CarriedRun.Case.ROLLS_LATER:
 		return -1
-	if model.kind == MovingPlatformsModel.Kind.PLATFORM:
+	if model.kind == MovingSurface.Kind.PLATFORM:
 		return 2
 	return 2 if model.speed == 0.0 and model.run().pull() == 0.0 else -1
 
@@ -237,7 +237,7 @@ static func verdict_sign(model: MovingPlatformsModel) -> String:
 static func _on_answer(model: MovingPlatformsModel) -> PackedStringArray:
 	if model.is_carried():
 		return _on_rolling(model)
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+	if model.kind == MovingSurface.Kind.PRESS:
 		var speed := Press.speed_after(
 			MovingPlatformsModel.PRESS_BOUNCE, model.speed, model.surface_speed
 		)
@@ -259,7 +259,7 @@ static func _on_answer(model: MovingPlatformsModel) -> PackedStringArray:
 static func _on_rolling(model: MovingPlatformsModel) -> PackedStringArray:
 	var run := model.run()
 	var words: PackedStringArray = []
-	if model.kind == MovingPlatformsModel.Kind.PLATFORM:
+	if model.kind == MovingSurface.Kind.PLATFORM:
 		words.append(LabText.translate("carried for %s s") % NumberText.short(model.turn_time()))
 	match run.run_case:
 		CarriedRun.Case.ROLLS:
@@ -290,7 +290,7 @@ static func _on_end(model: MovingPlatformsModel, flight: PlatformFlight) -> Pack
 	if model.is_impact() and not model.impact().hit:
 		return [_on_no_impact()]
 	var words: PackedStringArray = []
-	if model.kind == MovingPlatformsModel.Kind.PRESS:
+	if model.kind == MovingSurface.Kind.PRESS:
 		words.append(LabText.translate("crushed after %s s") % NumberText.short(model.crush_time()))
 	words.append(ShotText.of_right(flight.miss(), flight.rounding()))
 	return words

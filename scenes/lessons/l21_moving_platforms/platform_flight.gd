@@ -34,24 +34,24 @@ func end(step: MovingPlatformsModel.Step) -> float:
 
 func _first_end() -> float:
 	match _model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			var run := _model.run()
 			if run.run_case == CarriedRun.Case.ROLLS_LATER:
 				return run.roll_time
 			return _last()
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return _model.turn_time()
 	return _model.impact().time if _model.impact().hit else _WITHOUT
 
 
 func _last() -> float:
 	match _model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return _end_of_run()
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			var first := _model.turn_time()
 			return first + minf(_end_of_run(), first)
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return _model.crush_time()
 	if not _model.impact().hit:
 		return _WITHOUT
@@ -81,7 +81,7 @@ func turn_at(seconds: float) -> float:
 
 ## The wall, belt, platform or paddle after so many seconds.
 func surface_at(seconds: float) -> LineSegment:
-	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+	if _model.kind == MovingSurface.Kind.PRESS:
 		var wall := _model.first_surface()
 		var moved := Vec2.new(_model.surface_speed * seconds, 0.0)
 		return LineSegment.new(wall.start.plus(moved), wall.end.plus(moved))
@@ -91,12 +91,12 @@ func surface_at(seconds: float) -> LineSegment:
 
 ## Whether the ball is crushed then; its last state is kept.
 func is_crushed(seconds: float) -> bool:
-	var is_press := _model.kind == MovingPlatformsModel.Kind.PRESS
+	var is_press := _model.kind == MovingSurface.Kind.PRESS
 	return is_press and seconds >= _model.crush_time()
 
 
 func _is_beyond(seconds: float) -> bool:
-	if _model.kind != MovingPlatformsModel.Kind.PRESS:
+	if _model.kind != MovingSurface.Kind.PRESS:
 		return false
 	return seconds > _model.press_time(_FLOWN_BOUNCES)
 
@@ -112,7 +112,7 @@ func _fly_to(seconds: float) -> void:
 
 func _fill() -> void:
 	var surfaces: Array[LineSegment] = [_model.first_surface()]
-	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+	if _model.kind == MovingSurface.Kind.PRESS:
 		surfaces.append(_model.far_wall())
 	Refusal.push(_world.set_segments(surfaces))
 	if _model.is_carried():
@@ -123,7 +123,7 @@ func _fill() -> void:
 		Refusal.push(_world.set_bounciness(_model.bounciness))
 	Refusal.push(_world.set_balls([_model.first_ball()]))
 	match _model.kind:
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			Refusal.push(_world.set_belt_speed(0, _model.surface_speed))
 		_:
 			Refusal.push(_world.set_segment_motion(0, _motion()))
@@ -131,13 +131,13 @@ func _fill() -> void:
 
 func _motion() -> SegmentMotion:
 	match _model.kind:
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			var there := _model.turn_time()
 			var ways: Array[Vec2] = [Vec2.zero(), Vec2.new(_model.way, 0.0), Vec2.zero()]
 			return SegmentMotion.along([0.0, there, 2.0 * there], ways, true)
-		MovingPlatformsModel.Kind.PADDLE:
+		MovingSurface.Kind.PADDLE:
 			return SegmentMotion.turning(_model.surface_start, _model.turning)
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return SegmentMotion.steady(Vec2.new(_model.surface_speed, 0.0))
 	return SegmentMotion.steady(_model.surface_velocity)
 
@@ -148,13 +148,13 @@ func seen(point: Vec2, seconds: float) -> Vec2:
 	if not _model.from_surface:
 		return point.copy()
 	match _model.kind:
-		MovingPlatformsModel.Kind.WALL:
+		MovingSurface.Kind.WALL:
 			return point.minus(_model.surface_velocity.scaled(seconds))
-		MovingPlatformsModel.Kind.BELT:
+		MovingSurface.Kind.BELT:
 			return point.minus(_model.along().scaled(_model.surface_speed * seconds))
-		MovingPlatformsModel.Kind.PLATFORM:
+		MovingSurface.Kind.PLATFORM:
 			return point.minus(Vec2.new(_model.platform_way(seconds), 0.0))
-		MovingPlatformsModel.Kind.PRESS:
+		MovingSurface.Kind.PRESS:
 			return point.minus(Vec2.new(_model.surface_speed * seconds, 0.0))
 	var turned := point.copy()
 	turned.rotate_around_radians(_model.surface_start, -_model.turning * seconds)
@@ -164,7 +164,7 @@ func seen(point: Vec2, seconds: float) -> Vec2:
 ## How a direction of the lab lies in that frame then.
 func seen_direction(direction: Vec2, seconds: float) -> Vec2:
 	var turned := direction.copy()
-	if _model.from_surface and _model.kind == MovingPlatformsModel.Kind.PADDLE:
+	if _model.from_surface and _model.kind == MovingSurface.Kind.PADDLE:
 		turned.rotate_radians(-_model.turning * seconds)
 	return turned
 
@@ -181,6 +181,6 @@ func rounding() -> float:
 
 
 func _compared_at() -> float:
-	if _model.kind == MovingPlatformsModel.Kind.PRESS:
+	if _model.kind == MovingSurface.Kind.PRESS:
 		return minf(_COMPARED_IN_PRESS * _last(), _model.press_time(_COMPARED_BOUNCES))
 	return (_COMPARED if _model.is_carried() else 1.0) * _last()

@@ -3,12 +3,12 @@ extends RefCounted
 ## How far rounding alone may move the ball of the lesson on surfaces that move.
 
 # The values of the state on which the place hangs, by the kind.
-const _KEYS: Dictionary[MovingPlatformsModel.Kind, Array] = {
-	MovingPlatformsModel.Kind.WALL: ["ball", "velocity", "surface", "surface_velocity"],
-	MovingPlatformsModel.Kind.BELT: ["ball", "surface", "speed", "surface_speed", "friction"],
-	MovingPlatformsModel.Kind.PLATFORM: ["surface_speed", "friction", "way"],
-	MovingPlatformsModel.Kind.PADDLE: ["ball", "velocity", "surface", "turning"],
-	MovingPlatformsModel.Kind.PRESS: ["way", "speed", "surface_speed"],
+const _KEYS: Dictionary[MovingSurface.Kind, Array] = {
+	MovingSurface.Kind.WALL: ["ball", "velocity", "surface", "surface_velocity"],
+	MovingSurface.Kind.BELT: ["ball", "surface", "speed", "surface_speed", "friction"],
+	MovingSurface.Kind.PLATFORM: ["surface_speed", "friction", "way"],
+	MovingSurface.Kind.PADDLE: ["ball", "velocity", "surface", "turning"],
+	MovingSurface.Kind.PRESS: ["way", "speed", "surface_speed"],
 }
 
 
@@ -21,8 +21,8 @@ static func of(model: MovingPlatformsModel, seconds: float) -> float:
 	numbers.append(seconds)
 	var condition := ShotCondition.of(numbers, _place.bind(model)) + _of_bounciness(model, seconds)
 	# The sizes that cannot be changed are numbers, too.
-	condition += MovingPlatformsModel.RADIUS
-	if model.kind == MovingPlatformsModel.Kind.PLATFORM:
+	condition += MovingSurface.RADIUS
+	if model.kind == MovingSurface.Kind.PLATFORM:
 		condition += MovingPlatformsModel.PLATFORM_LENGTH
 	return ShotCondition.EPSILON * condition
 
@@ -48,7 +48,10 @@ static func _place(numbers: PackedFloat64Array, model: MovingPlatformsModel) -> 
 	for key: String in _KEYS[model.kind]:
 		var count := _as_list(state[key]).size()
 		var part := numbers.slice(at, at + count)
-		state[key] = part if state[key] is PackedFloat64Array else part[0]
+		if state[key] is PackedFloat64Array:
+			state[key] = part
+		else:
+			state[key] = part[0]
 		at += count
 	var changed := MovingPlatformsModel.new()
 	changed.from_dictionary(state)

@@ -6,7 +6,7 @@ extends BoardPart
 const _WIDTH := 5.0
 # Between two strokes of a belt, in units of the plane, and how long they are, in pixels.
 const _BETWEEN := 25.0
-const _STROKE := 9.0
+const _HATCH_LENGTH := 9.0
 const _MOST_STROKES := 400.0
 
 ## Where it begins, in units of the plane. 32 bits; [method lay] keeps all digits.
@@ -66,7 +66,7 @@ func _draw_strokes_of_belt(start: Vector2, end: Vector2, color: Color) -> void:
 	var length := _from.distance_to(_to)
 	if length > _BETWEEN * _MOST_STROKES:
 		return
-	var below := (end - start).normalized().orthogonal() * -_STROKE
+	var below := (end - start).normalized().orthogonal() * -_HATCH_LENGTH
 	below *= signf(below.y * board.y_sign() + 1e-9) * board.y_sign()
 	var at := fposmod(run, _BETWEEN)
 	while at <= length:

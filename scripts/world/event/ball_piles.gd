@@ -135,15 +135,15 @@ func count_meeting(index: int, time: float) -> void:
 ## Notes that a ball touches a surface after this time of flight, in seconds; says whether that is
 ## one of too many hurried touches: see [constant WEDGE_TOUCHES].
 func is_hurried(index: int, surface: int, seconds: float) -> bool:
-	var is_hurried_now := false
+	var hurries := false
 	since_last_touch = seconds if surface == _last_touched[index] else INF
 	if seconds >= PILE_UP:
 		_hurried[index] = 0
 	elif surface != _last_touched[index]:
 		_hurried[index] += 1
-		is_hurried_now = _hurried[index] > WEDGE_TOUCHES
+		hurries = _hurried[index] > WEDGE_TOUCHES
 	_last_touched[index] = surface
-	return is_hurried_now
+	return hurries
 
 
 ## Whether the last touch of a ball was one of too many hurried ones.

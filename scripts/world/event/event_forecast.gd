@@ -404,8 +404,8 @@ func _forecast_return(index: int, place: int) -> void:
 	var pull := _pull_x[index] * _normal_x + _pull_y[index] * _normal_y
 	var seconds := FreeFlight.time_to_fall(0.0, _left_speed[index], pull)
 	if seconds < _seconds and seconds <= _segments.seconds_left(place):
-		var speed_x := _velocity_x[index] - _segments.velocity_x(place)
-		var speed_y := _velocity_y[index] - _segments.velocity_y(place)
+		var speed_x := _velocity_x[index] - _segments.segment_velocity_x(place)
+		var speed_y := _velocity_y[index] - _segments.segment_velocity_y(place)
 		var share := _segments.share_of(
 			place,
 			_x[index] + (speed_x + 0.5 * _pull_x[index] * seconds) * seconds,
@@ -423,8 +423,8 @@ func _forecast_return_to_cap(index: int, place: int) -> void:
 	var feature := _left_feature[index] as Impact.Feature
 	var x := _x[index] - _segments.end_x(place, feature)
 	var y := _y[index] - _segments.end_y(place, feature)
-	var vx := _velocity_x[index] - _segments.velocity_x(place)
-	var vy := _velocity_y[index] - _segments.velocity_y(place)
+	var vx := _velocity_x[index] - _segments.segment_velocity_x(place)
+	var vy := _velocity_y[index] - _segments.segment_velocity_y(place)
 	var seconds := FreeFlight.time_back_to_circle(x, y, vx, vy, _pull_x[index], _pull_y[index])
 	if seconds < _seconds and seconds <= _segments.seconds_left(place):
 		_touched_feature[index] = feature
@@ -454,8 +454,8 @@ func _forecast_slide(index: int, place: int) -> void:
 	var along_x := _segments.normal_y(place)
 	var along_y := -_segments.normal_x(place)
 	var from_start := _segments.share_of(place, _x[index], _y[index]) * length
-	var speed_x := _velocity_x[index] - _segments.velocity_x(place)
-	var speed_y := _velocity_y[index] - _segments.velocity_y(place)
+	var speed_x := _velocity_x[index] - _segments.segment_velocity_x(place)
+	var speed_y := _velocity_y[index] - _segments.segment_velocity_y(place)
 	var speed := speed_x * along_x + speed_y * along_y
 	var pull := _pull_x[index] * along_x + _pull_y[index] * along_y
 	var to_start := FreeFlight.time_to_fall(maxf(from_start, 0.0), speed, pull)

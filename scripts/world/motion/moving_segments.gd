@@ -67,28 +67,28 @@ func has_motion() -> bool:
 
 
 ## See [method SegmentScan.go_to].
-func go_to(time: float, low: float) -> void:
-	_now = time
+func go_to(now: float, low: float) -> void:
+	_now = now
 	_now_low = low
 	for place: int in _movers:
 		var mover := _movers[place]
-		mover.go_to(time, low)
+		mover.go_to(now, low)
 		_lay(place, mover.segment_now())
 
 
 ## See [method SegmentScan.see_from].
 func see_from(place: int) -> void:
-	_frame_x = velocity_x(place)
-	_frame_y = velocity_y(place)
+	_frame_x = segment_velocity_x(place)
+	_frame_y = segment_velocity_y(place)
 
 
-## See [method SegmentScan.velocity_x].
-func velocity_x(place: int) -> float:
+## See [method SegmentScan.segment_velocity_x].
+func segment_velocity_x(place: int) -> float:
 	return _movers[place].velocity.x if _is_steady(place) else 0.0
 
 
-## See [method SegmentScan.velocity_y].
-func velocity_y(place: int) -> float:
+## See [method SegmentScan.segment_velocity_y].
+func segment_velocity_y(place: int) -> float:
 	return _movers[place].velocity.y if _is_steady(place) else 0.0
 
 
@@ -177,8 +177,8 @@ func first_accelerated_impact(
 	skipped: int = -1
 ) -> bool:
 	var contact := _contact
-	var frame_x := velocity_x(contact_place)
-	var frame_y := velocity_y(contact_place)
+	var frame_x := segment_velocity_x(contact_place)
+	var frame_y := segment_velocity_y(contact_place)
 	# What a ball touches says nothing of segments that move otherwise.
 	if frame_x != 0.0 or frame_y != 0.0:
 		_contact = Contact.NONE
@@ -376,7 +376,7 @@ func _is_steady(place: int) -> bool:
 func _rests_in(place: int, frame_x: float, frame_y: float) -> bool:
 	if not _is_steady(place):
 		return false
-	return velocity_x(place) == frame_x and velocity_y(place) == frame_y
+	return segment_velocity_x(place) == frame_x and segment_velocity_y(place) == frame_y
 
 
 # Puts the ends of a segment that moves where they are.

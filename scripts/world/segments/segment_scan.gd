@@ -114,8 +114,8 @@ func first_end(
 	radius: float,
 	horizon: float
 ) -> bool:
-	var seen_x := velocity_x_now - velocity_x(place)
-	var seen_y := velocity_y_now - velocity_y(place)
+	var seen_x := velocity_x_now - segment_velocity_x(place)
+	var seen_y := velocity_y_now - segment_velocity_y(place)
 	_accelerated.set_flight(x, y, seen_x, seen_y, pull_x, pull_y, radius)
 	time = minf(horizon, seconds_left(place))
 	index = -1
@@ -168,12 +168,12 @@ func see_from(_place: int) -> void:
 
 
 ## x of the velocity of the segment at that place, in px/s; 0 for one that turns.
-func velocity_x(_place: int) -> float:
+func segment_velocity_x(_place: int) -> float:
 	return 0.0
 
 
 ## y of the velocity.
-func velocity_y(_place: int) -> float:
+func segment_velocity_y(_place: int) -> float:
 	return 0.0
 
 

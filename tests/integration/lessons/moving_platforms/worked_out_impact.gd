@@ -194,5 +194,5 @@ func _bounce(normal: Pair, touched: Pair, tip: Pair) -> void:
 			wrong = leaving
 
 
-func _reflected(velocity: Pair, normal: Pair) -> Pair:
-	return velocity.plus(normal, -(1.0 + _bounciness) * velocity.dot(normal))
+func _reflected(coming: Pair, normal: Pair) -> Pair:
+	return coming.plus(normal, -(1.0 + _bounciness) * coming.dot(normal))

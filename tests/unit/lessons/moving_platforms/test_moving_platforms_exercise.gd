@@ -46,9 +46,9 @@ func test_answers_are_those_of_the_board() -> void:
 			assert_no_refusal(model.take(exercise.board_state()))
 			var answer := exercise.right_answer[0]
 			match model.kind:
-				MovingPlatformsModel.Kind.BELT:
+				MovingSurface.Kind.BELT:
 					assert_almost_eq(model.rolling_speed(), answer, 1e-9)
-				MovingPlatformsModel.Kind.PRESS:
+				MovingSurface.Kind.PRESS:
 					_assert_press(model, kind, answer)
 				_:
 					assert_almost_eq(model.impact().leaving.x, answer, 1e-9, exercise.prompt)

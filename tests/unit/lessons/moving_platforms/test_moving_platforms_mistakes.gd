@@ -12,7 +12,7 @@ func test_a_wall_that_comes_makes_the_ball_faster() -> void:
 	_switch_on(MovingPlatformsMistakes.IGNORED, "Head-on")
 	assert_vec2(_model.wrong_velocity(), Vec2.new(200, 0), 0.0)
 	assert_gt(_model.impact().leaving.x, 399.0)
-	_kind(MovingPlatformsModel.Kind.PRESS)
+	_kind(MovingSurface.Kind.PRESS)
 	assert_eq(_model.wrong_speed(), 300.0)
 
 
@@ -21,7 +21,7 @@ func test_what_is_added_after_is_subtracted_before() -> void:
 	assert_vec2(_model.wrong_velocity(), Vec2.new(300, 0), 0.0)
 	_switch_on(MovingPlatformsMistakes.ADDED_ONCE, "C = 0.5")
 	assert_vec2(_model.wrong_velocity(), Vec2.new(200, 0), 0.0)
-	_kind(MovingPlatformsModel.Kind.PRESS)
+	_kind(MovingSurface.Kind.PRESS)
 	assert_eq(_model.wrong_speed(), 600.0)
 
 
@@ -35,23 +35,23 @@ func test_a_soft_ball_gets_less_than_twice_the_wall() -> void:
 
 
 func test_the_touched_point_counts_not_the_tip() -> void:
-	_kind(MovingPlatformsModel.Kind.PADDLE)
+	_kind(MovingSurface.Kind.PADDLE)
 	_model.mistake = MovingPlatformsMistakes.TIP
 	# The tip is 150 px from the pivot, the touched point 100.
 	assert_vec2(_model.wrong_velocity(), Vec2.new(800, 100), 1e-9)
 
 
 func test_a_disc_on_a_belt_ends_at_a_third_of_its_speed() -> void:
-	_kind(MovingPlatformsModel.Kind.BELT)
+	_kind(MovingSurface.Kind.BELT)
 	_model.mistake = MovingPlatformsMistakes.BELT_SPEED
 	assert_eq(_model.wrong_speed(), 90.0)
 	assert_true(_model.mistake_shows())
-	_kind(MovingPlatformsModel.Kind.PLATFORM)
+	_kind(MovingSurface.Kind.PLATFORM)
 	assert_eq(_model.wrong_speed(), -90.0)
 
 
 func test_a_ball_that_is_carried_is_not_a_frame_late() -> void:
-	_kind(MovingPlatformsModel.Kind.PLATFORM)
+	_kind(MovingSurface.Kind.PLATFORM)
 	_model.mistake = MovingPlatformsMistakes.FRAME_LATE
 	assert_true(_model.mistake_shows())
 	var late := _model.place_at(1.0 - MovingPlatformsMistakes.FRAME)
@@ -60,7 +60,7 @@ func test_a_ball_that_is_carried_is_not_a_frame_late() -> void:
 
 func test_every_mistake_shows_as_soon_as_it_is_switched_on() -> void:
 	for info in MovingPlatformsMistakes.infos():
-		for kind: MovingPlatformsModel.Kind in MovingPlatformsModel.Kind.values():
+		for kind: MovingSurface.Kind in MovingSurface.Kind.values():
 			_kind(kind)
 			assert_no_refusal(_model.take({"mistake": info.number}))
 			assert_true(_model.mistake_shows(), "%s %s" % [kind, info.title])
@@ -78,5 +78,5 @@ func _switch_on(mistake: int, preset: String) -> void:
 	_model.mistake = mistake
 
 
-func _kind(kind: MovingPlatformsModel.Kind) -> void:
+func _kind(kind: MovingSurface.Kind) -> void:
 	assert_no_refusal(_model.take(MovingPlatformsPresets.OF_KIND[kind]))

@@ -34,18 +34,18 @@ func test_a_wall_that_moves_along_itself_changes_nothing() -> void:
 
 
 func test_a_disc_on_a_belt_of_90_rolls_with_30() -> void:
-	_kind(MovingPlatformsModel.Kind.BELT)
+	_kind(MovingSurface.Kind.BELT)
 	var run := _model.run()
 	assert_eq(run.slip, -90.0)
 	assert_eq(run.run_case, CarriedRun.Case.ROLLS_LATER)
 	assert_almost_eq(run.roll_time, 1.0, 1e-15)
 	assert_almost_eq(_model.rolling_speed(), 30.0, 1e-13)
 	# On the belt it rolls backwards, so that its lowest point goes with the belt.
-	assert_almost_eq(run.after(2.0).spin, -60.0 / MovingPlatformsModel.RADIUS, 1e-13)
+	assert_almost_eq(run.after(2.0).spin, -60.0 / MovingSurface.RADIUS, 1e-13)
 
 
 func test_each_case_of_a_disc_on_a_belt() -> void:
-	_kind(MovingPlatformsModel.Kind.BELT)
+	_kind(MovingSurface.Kind.BELT)
 	var wanted: Dictionary[CarriedRun.Case, Dictionary] = {
 		CarriedRun.Case.ROLLS: {"surface_speed": 0.0},
 		CarriedRun.Case.ROLLS_LATER: {"surface_speed": 90.0},
@@ -68,7 +68,7 @@ func test_uphill_it_rolls_with_60_and_then_back() -> void:
 
 
 func test_a_platform_carries_exactly_and_turns_back_below_the_disc() -> void:
-	_kind(MovingPlatformsModel.Kind.PLATFORM)
+	_kind(MovingSurface.Kind.PLATFORM)
 	assert_eq(_model.turn_time(), 2.0)
 	for seconds: float in [0.0, 0.3, 1.0, 1.999]:
 		var start := _model.place_at(0.0)
@@ -79,7 +79,7 @@ func test_a_platform_carries_exactly_and_turns_back_below_the_disc() -> void:
 
 
 func test_the_touched_point_of_a_paddle_moves_with_omega_times_the_arm() -> void:
-	_kind(MovingPlatformsModel.Kind.PADDLE)
+	_kind(MovingSurface.Kind.PADDLE)
 	var met := _model.impact()
 	assert_almost_eq(met.time, acos(-0.6) / 2.0, 1e-14)
 	assert_vec2(met.arm, Vec2.new(0, -100), 1e-11)
@@ -88,7 +88,7 @@ func test_the_touched_point_of_a_paddle_moves_with_omega_times_the_arm() -> void
 
 
 func test_the_press_is_that_of_the_table() -> void:
-	_kind(MovingPlatformsModel.Kind.PRESS)
+	_kind(MovingSurface.Kind.PRESS)
 	for bounce: int in 12:
 		var left := 200.0 / (bounce + 1.0)
 		assert_almost_eq(_model.press_time(bounce), (200.0 - left) / 100.0, 1e-14)
@@ -118,7 +118,7 @@ func test_the_same_impact_in_another_frame_of_reference() -> void:
 			assert_almost_eq(second.time, first.time, 1e-9 * (1.0 + first.time))
 			assert_vec2(second.bounced, first.bounced, 1e-6)
 			assert_vec2(second.leaving, first.leaving.plus(more), 1e-6)
-	assert_gt(met, _RANDOM * 3 / 4)
+	assert_gt(4 * met, 3 * _RANDOM)
 
 
 func test_the_flight_is_where_the_formulas_have_it() -> void:
@@ -129,7 +129,7 @@ func test_the_flight_is_where_the_formulas_have_it() -> void:
 		assert_gt(flight.rounding(), 0.0)
 		var last := flight.end(MovingPlatformsModel.Step.FLY)
 		# A press only as far as its bounces can be told from each other.
-		last *= 0.9 if _model.kind == MovingPlatformsModel.Kind.PRESS else 1.0
+		last *= 0.9 if _model.kind == MovingSurface.Kind.PRESS else 1.0
 		for i: int in 20:
 			var seconds := last * i / 20.0
 			assert_vec2(flight.ball_at(seconds), _model.place_at(seconds), 1e-10, str(state))
@@ -143,7 +143,7 @@ func test_random_flights_are_where_the_formulas_have_them() -> void:
 	for number: int in _RANDOM:
 		_take_random_wall(rng)
 		_assert_flies_true()
-		_kind(MovingPlatformsModel.Kind.BELT)
+		_kind(MovingSurface.Kind.BELT)
 		var changes := {
 			"speed": rng.randf_range(-200, 200),
 			"surface_speed": rng.randf_range(-300, 300),
@@ -151,7 +151,7 @@ func test_random_flights_are_where_the_formulas_have_them() -> void:
 		}
 		assert_no_refusal(_model.take(changes))
 		_assert_flies_true()
-		_kind(MovingPlatformsModel.Kind.PRESS)
+		_kind(MovingSurface.Kind.PRESS)
 		var wall := rng.randf_range(5, 200)
 		changes = {"surface_speed": wall, "speed": wall * rng.randf_range(1.2, 6.0)}
 		assert_no_refusal(_model.take(changes))
@@ -159,7 +159,7 @@ func test_random_flights_are_where_the_formulas_have_them() -> void:
 
 
 func test_a_crushed_ball_is_told_and_stays() -> void:
-	_kind(MovingPlatformsModel.Kind.PRESS)
+	_kind(MovingSurface.Kind.PRESS)
 	var flight := PlatformFlight.new(_model)
 	assert_eq(flight.end(MovingPlatformsModel.Step.FLY), 2.0)
 	assert_false(flight.is_crushed(1.999))
@@ -174,7 +174,7 @@ func test_the_surface_rests_where_everything_is_seen_from_it() -> void:
 		var seconds := 0.7 * flight.end(MovingPlatformsModel.Step.FLY)
 		var there := flight.surface_at(seconds)
 		assert_no_refusal(_model.take({"from_surface": true}))
-		if _model.kind != MovingPlatformsModel.Kind.BELT:
+		if _model.kind != MovingSurface.Kind.BELT:
 			var seen := flight.seen(there.end, seconds)
 			assert_vec2(seen, _model.first_surface().end, 1e-9, str(state))
 		else:
@@ -203,9 +203,9 @@ func test_what_cannot_be_taken_changes_nothing() -> void:
 		_model.take({"surface": PackedFloat64Array([0, 0, 30, 0])}), "at least 40 px long, not 30."
 	)
 	assert_eq(_model.to_dictionary(), before)
-	_kind(MovingPlatformsModel.Kind.BELT)
+	_kind(MovingSurface.Kind.BELT)
 	assert_string_contains(_model.enter("bx", -190.0), "at least 40 px to the right, not 10.")
-	_kind(MovingPlatformsModel.Kind.PRESS)
+	_kind(MovingSurface.Kind.PRESS)
 	assert_string_contains(
 		_model.enter("speed", 100.5), "faster than the wall with 100, not 100.5."
 	)
@@ -258,5 +258,5 @@ func _take(preset: String) -> void:
 	assert_no_refusal(_model.take(MovingPlatformsPresets.ALL[preset]))
 
 
-func _kind(kind: MovingPlatformsModel.Kind) -> void:
+func _kind(kind: MovingSurface.Kind) -> void:
 	assert_no_refusal(_model.take(MovingPlatformsPresets.OF_KIND[kind]))
