@@ -69,7 +69,7 @@ func show_moment(
 ) -> void:
 	_lay_surface(_surface, flight, flight.surface_at(seconds), seconds)
 	_surface.is_belt = model.is_carried()
-	_surface.run = model.surface_speed * seconds if model.kind == model.Kind.BELT else 0.0
+	_surface.run = model.surface_speed * seconds if model.kind == MovingSurface.Kind.BELT else 0.0
 	_lay_surface(_far_wall, flight, model.far_wall(), seconds)
 	_far_wall.visible = model.kind == MovingSurface.Kind.PRESS
 	var place := flight.ball_at(seconds)
