@@ -1,6 +1,7 @@
 extends SceneTree
-## How many frames a second the lesson on angled lines draws while its balls fly, and what a frame
-## costs: opens the window as the lab does, and once more without what [SoftwareDrawing] saves.
+## How many frames a second the lesson on angled lines draws while its balls fly, and the game in
+## some of its levels, and what a frame costs: opens the window as the lab does, and once more
+## without what [SoftwareDrawing] saves.
 ##
 ## Run with: ./lab bench frame_rate (without a display it brings one of its own)
 ## [br][br]
@@ -16,6 +17,14 @@ const FRAME := 1.0 / 60.0
 ## The lesson's presets with 1, 10 and 50 balls.
 const PRESETS: Dictionary[int, int] = {1: 0, 10: 7, 50: 8}
 
+## Levels of the game by what is seen: nothing moves; a target; a target and a plan; a bullet, too.
+const LEVELS: Dictionary[String, Dictionary] = {
+	"1, at rest": {level = 1},
+	"2, the target moves": {level = 2},
+	"7, with helpers": {level = 7, aims = true, leads = true, bounces = true},
+	"3, a bullet flies": {level = 3, angle = -45.0},
+}
+
 var _frame: LessonFrame
 var _lesson: Lesson
 
@@ -26,6 +35,8 @@ func _init() -> void:
 
 func _run() -> void:
 	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)
+	# The barrel of the game would swing.
+	OpeningMotion.is_allowed = false
 	print("\nWindow %d x %d, %s" % [root.size.x, root.size.y, _renderer()])
 	print("%d runs of %s s each; milliseconds per frame are averages" % [RUNS, SECONDS])
 	await _print_table("As the lab draws it here")
@@ -35,17 +46,17 @@ func _run() -> void:
 	quit()
 
 
-func _open_lesson() -> void:
+func _open_lesson(info: LessonInfo) -> void:
 	if _frame:
 		_frame.free()
 	_frame = (load("res://scenes/shell/lesson_frame.tscn") as PackedScene).instantiate()
-	_frame.lesson_info = LessonIndex.find("angled_lines")
+	_frame.lesson_info = info
 	root.add_child(_frame)
 	_lesson = _frame.lesson
 
 
 func _print_table(title: String) -> void:
-	_open_lesson()
+	_open_lesson(LessonIndex.find("angled_lines"))
 	print("\n%s\n" % title)
 	print(
 		"| balls | frames a second, best | worst | processor ms, best run | script, ms of 1/60 s |"
@@ -53,6 +64,33 @@ func _print_table(title: String) -> void:
 	print("|---|---|---|---|---|")
 	for count: int in PRESETS:
 		await _print_row(count)
+	await _print_game()
+
+
+# A bullet that is gone is fired again.
+func _print_game() -> void:
+	_open_lesson(LessonIndex.game())
+	print("\n| level | frames a second, best | worst | processor ms, best run |")
+	print("|---|---|---|---|")
+	var model: AimingGameModel = _lesson.get(&"_model")
+	var first := _lesson.link_state()
+	for title in LEVELS:
+		var fires := title.ends_with("flies")
+		var fire := func() -> void:
+			if fires:
+				model.fire()
+		process_frame.connect(fire)
+		var rates: PackedFloat64Array = []
+		var costs: PackedFloat64Array = []
+		for run: int in RUNS:
+			_lesson.show_link(first.merged(LEVELS[title], true))
+			for frame: int in WARM_UP:
+				await process_frame
+			await _measure(rates, costs)
+		process_frame.disconnect(fire)
+		rates.sort()
+		costs.sort()
+		print("| %s | %.0f | %.0f | %.1f |" % [title, rates[-1], rates[0], costs[0]])
 
 
 func _print_row(count: int) -> void:
