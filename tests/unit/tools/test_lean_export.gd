@@ -81,12 +81,9 @@ func test_an_action_that_no_script_names_is_unused() -> void:
 
 
 # Where no code of a student can be judged, there is no way to it.
-func test_the_whole_lab_uses_every_action_but_that_of_the_workshops_card_and_no_plugin() -> void:
+func test_the_whole_lab_uses_every_action_and_no_plugin() -> void:
 	var unused := LeanExport.unused_settings(Demos.needed_by(Demos.LAB).files)
-	assert_eq(
-		unused,
-		PackedStringArray(["editor_plugins/enabled", "input/lab_own_code", "input/lab_check_code"])
-	)
+	assert_eq(unused, PackedStringArray(["editor_plugins/enabled"]))
 
 
 func _paths_below(node: Node) -> Array:
