@@ -80,7 +80,6 @@ func test_an_action_that_no_script_names_is_unused() -> void:
 	assert_does_not_have(unused, "input/ui_accept")
 
 
-# Where no code of a student can be judged, there is no way to it.
 func test_the_whole_lab_uses_every_action_and_no_plugin() -> void:
 	var unused := LeanExport.unused_settings(Demos.needed_by(Demos.LAB).files)
 	assert_eq(unused, PackedStringArray(["editor_plugins/enabled"]))
