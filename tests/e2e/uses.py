@@ -58,11 +58,11 @@ USES = {
     # The tip of v₁: one unit to the left.
     "newton_balls": Use((415, 279), r"v₁ = \(6, 0\)", r"v₁ = \(5, 0\)", (375, 279)),
     # The tail of v: twenty pixels of the plane to the right.
-    "collision_friction": Use((254, 282), r"v = \(300, 400\)", r"v = \(200, 400\)", (308, 282)),
+    "collision_friction": Use((267, 311), r"v = \(300, 400\)", r"v = \(200, 400\)", (316, 311)),
     # The end of the line.
     "slide_and_roll": Use((607, 503), r"B = \(48, 36\)", r"B = \(68, 36\)", (687, 503)),
     # The head of v.
-    "moving_platforms": Use((535, 259), r"v = \(-200, 100\)", r"v = \(-120, 100\)", (575, 259)),
+    "moving_platforms": Use((527, 288), r"v = \(-200, 100\)", r"v = \(-120, 100\)", (602, 288)),
     # The tip of a.
     "projection_proof": Use((639, 413), r"a = \(7, 1\)", r"a = \(3, 1\)", (511, 413)),
     # The next step, while it measures by itself: before it the lesson asks.
