@@ -27,6 +27,11 @@ var _drawn_miss: GameShot
 @onready var _sight: Handle = %Sight
 
 
+func _ready() -> void:
+	# Without a graphics card the paper and the field take a third of a frame. They are drawn once.
+	(%Grid as Grid).take(_field)
+
+
 ## Shows the level of [param model] and the moment.
 func show_model(model: AimingGameModel) -> void:
 	_field.show_level(model.level())

@@ -11,8 +11,9 @@ enum Outcome { HIT, OUTRUN, OUT_OF_REACH, NO_WAY }
 enum Flaw { NONE, FALLS, MOVES_ON, TURNS, BLOCKED }
 
 # The way over walls depends on where the target is then, and the other way round: so often the one
-# is found from the other.
+# is found from the other, until the place stays within so many pixels.
 const _ROUNDS := 12
+const _STAYS := 1e-3
 const _MOST_BOUNCES := 2
 # No shot is followed longer, in seconds.
 const _LONGEST := 4.0
@@ -70,7 +71,8 @@ static func _over_walls(level: GameLevel, now: float, leads: bool) -> GameAim:
 				level.gun, meeting_place, GameLevel.BULLET, 1.0, level.walls, bounces
 			)
 			found.hit = way.hit
-			if not way.hit:
+			var stays := found.meeting != null and meeting_place.distance_to(found.meeting) < _STAYS
+			if not way.hit or stays:
 				break
 			found.direction = way.direction
 			found.time = way.distance / GameLevel.SPEED

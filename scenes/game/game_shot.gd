@@ -7,6 +7,11 @@ const _LONGEST := 5.0
 const _OUTSIDE := 60.0
 # So near counts as touching, in pixels.
 const _NEARLY := 1e-6
+# It is looked at in steps of so many seconds at most: a bounce may bring it near again.
+const _LONGEST_STEP := 0.025
+# The nearest of so many moments is looked for, then of so many around that one, and so on.
+const _LOOKS := 12
+const _ROUNDS := 3
 # So many places of its way are drawn a second.
 const _PLACES := 40.0
 
@@ -81,22 +86,48 @@ static func way_of(level: GameLevel, direction: Vec2, seconds: float) -> Array[V
 func _follow(level: GameLevel) -> void:
 	var fall := level.gravity.length() * _LONGEST
 	var fastest := GameLevel.SPEED + fall + absf(level.target.speed)
+	var moments: PackedFloat64Array = []
+	var gaps: PackedFloat64Array = []
 	var time := 0.0
 	while time < _LONGEST:
-		var place := place_after(time)
-		if _is_outside(place, level.gravity.length() > 0.0):
-			gone_after = time
-			break
-		var gap := place.distance_to(level.target.place_at(fired_at + time)) - GameLevel.reach()
-		if gap < _NEARLY:
+		moments.append(time)
+		gaps.append(_distance_after(time, level.target) - GameLevel.reach())
+		if gaps[-1] < _NEARLY:
 			hit_after = time
 			return
-		time += maxf(gap / fastest, _NEARLY)
-	var target_after := func(seconds: float) -> Vec2:
-		return level.target.place_at(fired_at + seconds)
-	var moment := _flight.nearest_moment(target_after, gone_after)
-	nearest = _flight.distance_after(moment, target_after)
-	passed = target_after.call(moment)
+		if _is_outside(place_after(time), level.gravity.length() > 0.0):
+			break
+		time += clampf(gaps[-1] / fastest, _NEARLY, _LONGEST_STEP)
+	gone_after = moments[-1]
+	for i in moments.size():
+		var before := maxi(i - 1, 0)
+		var behind := mini(i + 1, moments.size() - 1)
+		if gaps[i] <= gaps[before] and gaps[i] <= gaps[behind]:
+			_find_nearest(level.target, moments[before], moments[behind])
+
+
+# Between two moments; forward in time in each round, because for the way back a bullet is flown
+# anew.
+func _find_nearest(target: GameTarget, from: float, to: float) -> void:
+	var best := from
+	for each in _ROUNDS:
+		var step := (to - from) / _LOOKS
+		var least := INF
+		for look in _LOOKS + 1:
+			var apart := _distance_after(from + step * look, target)
+			if apart < least:
+				least = apart
+				best = from + step * look
+		if least < nearest:
+			nearest = least
+			passed = target.place_at(fired_at + best)
+		from = maxf(best - step, from)
+		to = minf(best + step, to)
+
+
+# From centre to centre.
+func _distance_after(seconds: float, target: GameTarget) -> float:
+	return place_after(seconds).distance_to(target.place_at(fired_at + seconds))
 
 
 # One that flies high comes down again where it falls.

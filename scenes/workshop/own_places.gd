@@ -93,7 +93,12 @@ func _keep_off(part: BoardPart) -> void:
 		_points.append(_board.to_screen(Vec2.from_vector2(dimension.from)))
 		_points.append(_board.to_screen(Vec2.from_vector2(dimension.to)))
 	elif part is BallView:
-		_keep_off_ball(part as BallView)
+		_keep_off_disc((part as BallView).at(), (part as BallView).radius)
+	elif part is TargetMark:
+		var target := part as TargetMark
+		_keep_off_disc(target.at(), target.radius)
+		if target.label:
+			_keep_off_name(target.label_pixel())
 	elif part is AngleArc and (part as AngleArc).shows_value:
 		_keep_off_name((part as AngleArc).label_pixel())
 
@@ -107,12 +112,12 @@ func _keep_off_arrow(arrow: Arrow) -> void:
 		_keep_off_name(arrow.label_pixel())
 
 
-func _keep_off_ball(ball: BallView) -> void:
-	var middle := _board.to_screen(ball.at())
+func _keep_off_disc(center: Vec2, radius: float) -> void:
+	var middle := _board.to_screen(center)
 	_points.append(middle)
 	for i in _POINTS:
 		var out := Vector2.from_angle(TAU * i / _POINTS)
-		_points.append(middle + out * ball.radius * _board.pixels_per_unit)
+		_points.append(middle + out * radius * _board.pixels_per_unit)
 
 
 func _keep_off_name(middle: Vector2) -> void:

@@ -3,10 +3,6 @@ extends RefCounted
 ## A shot as it flies, in the event world: where the bullet is at any time, and by how much it
 ## misses.
 
-# A search for the nearest moment looks at so many moments first, and then between two of them.
-const _MOMENTS := 400
-const _HALVINGS := 80
-
 var _bullet: Ball
 var _gravity: Vec2
 var _walls: Array[LineSegment]
@@ -53,39 +49,11 @@ func corners(seconds: float) -> Array[Vec2]:
 	return found
 
 
-## The moment until [param longest] seconds at which the bullet is nearest to a target that is at
-## [code]place.call(seconds)[/code]. The earliest of equal ones.
-func nearest_moment(place: Callable, longest: float) -> float:
-	var nearest := 0
-	var least := INF
-	for moment: int in _MOMENTS + 1:
-		var distance := distance_after(longest * moment / _MOMENTS, place)
-		if distance < least:
-			least = distance
-			nearest = moment
-	return _between(
-		longest * maxi(nearest - 1, 0) / _MOMENTS,
-		longest * mini(nearest + 1, _MOMENTS) / _MOMENTS,
-		place
-	)
-
-
 ## How far the bullet's centre is from the target's so many [param seconds] after the shot, in
 ## pixels.
 func distance_after(seconds: float, place: Callable) -> float:
 	var there: Vec2 = place.call(seconds)
 	return place_after(seconds).distance_to(there)
-
-
-# The way is cut in three, and the third that is farther away is left.
-func _between(from: float, to: float, place: Callable) -> float:
-	for halving: int in _HALVINGS:
-		var third := (to - from) / 3.0
-		if distance_after(from + third, place) <= distance_after(to - third, place):
-			to -= third
-		else:
-			from += third
-	return from
 
 
 func _load() -> void:

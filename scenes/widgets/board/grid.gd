@@ -8,6 +8,8 @@ extends BoardPart
 
 ## Also draw the axes with their numbers, not just the lines.
 @export var axes := true
+## Also draw the lines, not just the paper.
+@export var has_lines := true
 
 var _canvas: StillCanvas
 
@@ -15,6 +17,7 @@ var _canvas: StillCanvas
 func _ready() -> void:
 	var lines := GridLines.new()
 	lines.axes = axes
+	lines.has_lines = has_lines
 	if Engine.is_editor_hint() or not board or not SoftwareDrawing.is_on:
 		add_child(lines)
 		return

@@ -5,11 +5,14 @@ extends BoardPart
 
 ## Also draw the axes with their numbers, not just the lines.
 var axes := true
+## Also draw the lines, not just the paper.
+var has_lines := true
 
 
 func _draw() -> void:
 	draw_rect(Rect2(Vector2.ZERO, board.size), Palette.drawn(Palette.PAPER))
-	_draw_lines()
+	if has_lines:
+		_draw_lines()
 	if axes:
 		_draw_axes()
 

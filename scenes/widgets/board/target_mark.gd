@@ -48,13 +48,25 @@ func at() -> Vec2:
 	return _center.copy()
 
 
+## Where the middle of its label is, in the board's pixels.
+func label_pixel() -> Vector2:
+	var above := Vector2(0.0, -_pixels() - _BEYOND - drawn_size(_FONT_SIZE) * 0.6)
+	var extent := Vector2(text_extent(tr(label), _FONT_SIZE).x, 0.0)
+	return kept_on_board(board.to_screen(_center) + above, extent, Vector2(8.0, 14.0))
+
+
+# Its radius as it is drawn.
+func _pixels() -> float:
+	return clampf(radius * board.pixels_per_unit, _SMALLEST, _LARGEST)
+
+
 func spanned_points() -> Array[Vec2]:
 	return [_center.minus(Vec2.new(radius, radius)), _center.plus(Vec2.new(radius, radius))]
 
 
 func _draw() -> void:
 	var middle := board.to_screen(_center)
-	var pixels := clampf(radius * board.pixels_per_unit, _SMALLEST, _LARGEST)
+	var pixels := _pixels()
 	var color := Palette.color(role)
 	if is_ghost:
 		for i in _DASHES:
@@ -67,7 +79,4 @@ func _draw() -> void:
 		var reach := axis * (pixels + _BEYOND)
 		draw_line(middle - reach, middle + reach, color, Palette.stroke(1.5), true)
 	if label:
-		var above := Vector2(0.0, -pixels - _BEYOND - drawn_size(_FONT_SIZE) * 0.6)
-		var extent := Vector2(text_extent(tr(label), _FONT_SIZE).x, 0.0)
-		var place := kept_on_board(middle + above, extent, Vector2(8.0, 14.0))
-		draw_text(tr(label), place, color, _FONT_SIZE)
+		draw_text(tr(label), label_pixel(), color, _FONT_SIZE)

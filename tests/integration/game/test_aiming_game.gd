@@ -114,6 +114,7 @@ func test_a_bullet_that_has_hit_stays_where_both_touch() -> void:
 	assert_almost_eq(bullet.at().distance_to(_model().target_place()), GameLevel.reach(), 1e-3)
 	var trail := frame().lesson.get_node("%Trail") as FlightPath
 	assert_almost_eq(trail.places[-1], bullet.center, Vector2(1e-3, 1e-3))
+	assert_eq((frame().lesson.get_node("%Target") as TargetMark).role, Palette.Role.RIGHT)
 	await click_button("Next level")
 	assert_false(bullet.visible)
 	assert_false(trail.visible)

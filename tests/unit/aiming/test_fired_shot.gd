@@ -32,7 +32,7 @@ func test_the_corners_of_a_shot_are_its_start_its_bounces_and_its_end() -> void:
 func test_a_shot_at_where_the_target_is_now_misses_by_123() -> void:
 	var target := AimTarget.new(Vec2.new(240, 0), Vec2.new(0, 90))
 	var shot := FiredShot.new(Vec2.zero(), Vec2.new(150, 0))
-	var moment := shot.nearest_moment(target.position_after, 5.0)
+	var moment := ShotSearch.nearest_moment(shot, target.position_after, 5.0)
 	var miss := shot.distance_after(moment, target.position_after)
 	# The target passes at (240, 0) + (−150, 90) t: the distance of that line from the origin.
 	assert_almost_eq(miss, 240.0 * 90.0 / sqrt(150.0 * 150.0 + 90.0 * 90.0), 1e-9)
@@ -41,7 +41,7 @@ func test_a_shot_at_where_the_target_is_now_misses_by_123() -> void:
 func test_a_right_shot_is_nearest_when_it_hits() -> void:
 	var target := AimTarget.new(Vec2.new(240, 0), Vec2.new(0, 90))
 	var shot := FiredShot.new(Vec2.zero(), Vec2.new(120, 90))
-	var moment := shot.nearest_moment(target.position_after, 5.0)
+	var moment := ShotSearch.nearest_moment(shot, target.position_after, 5.0)
 	assert_almost_eq(moment, 2.0, 1e-12)
 	assert_almost_eq(shot.distance_after(moment, target.position_after), 0.0, 1e-10)
 

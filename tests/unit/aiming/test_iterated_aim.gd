@@ -8,7 +8,7 @@ func test_no_round_aims_at_the_present_place_and_one_round_misses_by_less() -> v
 	for rounds: int in 3:
 		var aim := IteratedAim.lead(Vec2.zero(), target, 150, rounds)
 		var shot := FiredShot.new(Vec2.zero(), aim.direction.scaled(150))
-		var moment := shot.nearest_moment(target.position_after, 5.0)
+		var moment := ShotSearch.nearest_moment(shot, target.position_after, 5.0)
 		misses.append(shot.distance_after(moment, target.position_after))
 	assert_almost_eq(misses[0], 123.48, 0.01)
 	assert_almost_eq(misses[1], 23.81, 0.01)

@@ -41,7 +41,7 @@ func test_no_moment_of_the_flight_is_nearer() -> void:
 		)
 		var miss := _miss(velocity, gravity, target)
 		var shot := FiredShot.new(Vec2.zero(), velocity, gravity)
-		var searched := shot.nearest_moment(target.position_after, _LONGEST)
+		var searched := ShotSearch.nearest_moment(shot, target.position_after, _LONGEST)
 		var least := shot.distance_after(searched, target.position_after)
 		assert_almost_eq(miss.distance, least, 1e-6, "shot %d" % number)
 

@@ -99,21 +99,22 @@ func test_a_bullet_that_passes_tells_by_how_much() -> void:
 	assert_lt(shot.gone_after, 2.0)
 
 
-func test_a_miss_knows_where_the_target_was_when_the_bullet_was_nearest() -> void:
-	var level := GameLevel.all()[1]
-	var now := 0.7
-	var straight := level.target.place_at(now).minus(level.gun).normalized()
-	var shot := GameShot.new(level, straight, now)
-	var least := INF
-	var wanted := Vec2.zero()
-	for moment: int in 2000:
-		var bullet := level.gun.plus(straight.scaled(GameLevel.SPEED * moment / 1000.0))
-		var place := level.target.place_at(now + moment / 1000.0)
-		if bullet.distance_to(place) < least:
-			least = bullet.distance_to(place)
-			wanted = place
-	assert_almost_eq(shot.nearest, least, 0.1)
-	assert_vec2(shot.passed, wanted, 0.1)
+func test_a_miss_knows_how_near_it_came_and_where_the_target_was_then() -> void:
+	var rng := RandomNumberGenerator.new()
+	rng.seed = 7
+	for each: int in 70:
+		var level := GameLevel.all()[each % 7]
+		var now := rng.randf_range(0.0, 8.0)
+		var direction := Vec2.unit_degrees(rng.randf_range(-180.0, 180.0))
+		var shot := GameShot.new(level, direction, now)
+		if shot.hit_after < INF:
+			continue
+		var place := func(seconds: float) -> Vec2: return level.target.place_at(now + seconds)
+		var flight := GameShot.fired(level, direction)
+		var moment := ShotSearch.nearest_moment(flight, place, shot.gone_after)
+		var least := flight.distance_after(moment, place)
+		assert_almost_eq(shot.nearest, least, 0.01, "%s in level %d" % [direction, each % 7 + 1])
+		assert_vec2(shot.passed, level.target.place_at(now + moment), 1.0)
 
 
 func test_the_way_of_a_bullet_bounces() -> void:
