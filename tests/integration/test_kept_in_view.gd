@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## What a press has brought into the panel is scrolled into view, whole.
 
 

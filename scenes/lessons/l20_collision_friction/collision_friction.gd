@@ -25,15 +25,10 @@ func start() -> void:
 	add_child(CardPlace.new(_ledger, board, services[&"formula"]))
 	_formula = CollisionFrictionFormula.new(services[&"formula"] as Formula)
 	_readout = CollisionFrictionReadout.new(services[&"readout"] as Readout)
-	var options := services[&"options"] as LessonOptions
-	options.add_switch("has_friction", tr("Friction"))
-	options.offer_presets(CollisionFrictionPresets.all())
-	(services[&"mistakes"] as Mistakes).add_all(CollisionFrictionMistakes.infos())
-	var questions := services[&"question"] as Question
-	var kinds := GripExercise.Kind.size()
-	questions.offer(GripExercise.fresh, kinds, 0, GripExercise.of_the_lecture)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
+	add_switch("has_friction", tr("Friction"))
+	offer_presets(CollisionFrictionPresets.all())
+	offer_mistakes(CollisionFrictionMistakes.infos(), CollisionFrictionTexts.step_of_mistake)
+	offer_questions(GripExercise, GripExercise.of_the_lecture)
 	_player = ContactPlayer.new(services[&"transport"] as Transport, _drawing.show_moment)
 	_player.prepare(_model, 0)
 	# Not during a drag: measuring would slow it down.
@@ -75,11 +70,6 @@ func _drag_line(to: Vec2) -> String:
 func _drag_cone(knob: Vec2) -> String:
 	var wanted := CollisionFrictionDrawing.friction_for(_player.contact, knob)
 	return _model.take({"friction": wanted, "has_friction": true})
-
-
-func _reveal(changes: Dictionary) -> void:
-	if changes.get("mistake", 0) != 0 and step < CollisionFrictionModel.Step.AFTER:
-		(services[&"steps"] as Steps).go_to(CollisionFrictionModel.Step.AFTER)
 
 
 # What the student sees.

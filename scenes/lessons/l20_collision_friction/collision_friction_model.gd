@@ -84,15 +84,11 @@ func shows_mistake() -> bool:
 	return mistake != 0 and CollisionFrictionMistakes.is_seen(mistake, contact())
 
 
-## The same as for every model. Where a mistake that is switched on changes nothing, a preset is
-## taken in which it does.
-func take(changes: Dictionary) -> String:
-	var problem := super(changes)
-	if changes.has("mistake") and not problem:
-		for preset: String in ["Sticks", "Two balls"]:
-			if mistake != 0 and not shows_mistake():
-				Refusal.push(super.take(CollisionFrictionPresets.all()[preset]))
-	return problem
+## Where the mistake changes nothing, a preset is taken in which it does.
+func show_mistake(_number: int) -> void:
+	for preset: String in ["Sticks", "Two balls"]:
+		if mistake != 0 and not shows_mistake():
+			Refusal.push(take(CollisionFrictionPresets.all()[preset]))
 
 
 ## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with

@@ -157,6 +157,11 @@ static func is_compared(model: CollisionFrictionModel, step: int) -> bool:
 	return model.mistake != 0 and step >= CollisionFrictionModel.Step.AFTER
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return maxi(step, CollisionFrictionModel.Step.AFTER)
+
+
 ## What was found at [param step], in a few lines, translated. [param flight] is needed at the last
 ## step.
 static func verdict(

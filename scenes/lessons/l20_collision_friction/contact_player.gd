@@ -3,9 +3,6 @@ extends RefCounted
 ## What is played in the lesson on friction at a bounce: the contact of a state with its flight,
 ## from the start or at the moment that is shown.
 
-# In the opening the ball waits so long, in seconds, before it comes again.
-const _PAUSE := 0.8
-
 ## The contact.
 var contact: FrictionContact
 ## The flight through it: at the first step as if there were no friction.
@@ -38,7 +35,7 @@ func rewind() -> void:
 
 ## Plays the flight again and again, where [param seconds] have passed since the beginning.
 func repeat(seconds: float) -> void:
-	_clock.repeat(seconds, _PAUSE)
+	_clock.repeat(seconds)
 
 
 ## Shows the balls at the moment that was shown last.

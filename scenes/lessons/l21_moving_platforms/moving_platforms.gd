@@ -2,14 +2,9 @@ extends Lesson
 ## The lesson on surfaces that move: a wall, a belt, a platform, a paddle, a press. The wall, the
 ## ball and both velocities at the start are in the scene: the handles there show them.
 
-# In the opening ball and wall wait so long where they meet, in seconds, before they start again.
-const _PAUSE := 0.8
-
 var _model := MovingPlatformsModel.new()
 var _flight: PlatformFlight
 var _handles: MovingPlatformsHandles
-var _formula: MovingPlatformsFormula
-var _readout: MovingPlatformsReadout
 var _clock: FlightClock
 # The moment that is shown, in seconds.
 var _now := 0.0
@@ -21,41 +16,25 @@ var _now := 0.0
 func start() -> void:
 	_handles = MovingPlatformsHandles.new(self, _model)
 	_handles.read_scene()
-	_formula = MovingPlatformsFormula.new(services[&"formula"] as Formula)
-	_readout = MovingPlatformsReadout.new(services[&"readout"] as Readout)
+	show_in_panel(MovingPlatformsFormula.new(services[&"formula"] as Formula))
+	show_in_panel(MovingPlatformsReadout.new(services[&"readout"] as Readout))
 	_flight = PlatformFlight.new(_model)
-	_fill_panel()
+	_options.add_choice("kind", tr("What moves"), MovingPlatformsTexts.kinds())
+	on_edit(_options.chosen, _choose_kind)
+	add_switch("from_surface", tr("Ride along"))
+	offer_presets(MovingPlatformsPresets.ALL)
+	offer_mistakes(MovingPlatformsMistakes.infos(), MovingPlatformsTexts.step_of_mistake)
+	offer_questions(MovingPlatformsExercise, MovingPlatformsExercise.of_the_lecture)
 	var end := func() -> float: return _flight.end(_step())
 	_clock = FlightClock.new(services[&"transport"] as Transport, end, _show_moment)
-	# Not during a drag: measuring would slow it down.
-	about_to_show.connect(func() -> void: _readout.measure(_model))
 	begin(_model, _show, _points)
 	about_to_show.connect(_clock.go_to.bind(0.0))
-	open_with(func(seconds: float) -> void: _clock.repeat(seconds, _PAUSE))
-
-
-func _fill_panel() -> void:
-	_options.add_choice("kind", tr("What moves"), MovingPlatformsTexts.kinds())
-	_options.add_switch("from_surface", tr("Ride along"))
-	_options.offer_presets(MovingPlatformsPresets.ALL)
-	(services[&"mistakes"] as Mistakes).add_all(MovingPlatformsMistakes.infos())
-	var questions := services[&"question"] as Question
-	var kinds := MovingPlatformsExercise.Kind.size()
-	questions.offer(MovingPlatformsExercise.fresh, kinds, 0, MovingPlatformsExercise.of_the_lecture)
-	on_enter(_model.enter)
-	on_pick(_model.take, _reveal)
-	on_edit(_options.chosen, _choose_kind)
+	open_with(_clock.repeat)
 
 
 # Each kind begins with numbers of its own.
 func _choose_kind(_key: String, place: int) -> String:
 	return _model.take(MovingPlatformsPresets.OF_KIND[place])
-
-
-# A mistake is seen where the answer is.
-func _reveal(changes: Dictionary) -> void:
-	if changes.get("mistake", 0) != 0 and step < MovingPlatformsModel.Step.BACK:
-		(services[&"steps"] as Steps).go_to(MovingPlatformsModel.Step.BACK)
 
 
 func _points() -> Array[Vec2]:
@@ -76,8 +55,6 @@ func _show() -> void:
 	_handles.place()
 	_drawing.show_model(_model, _flight, _handles, _step())
 	_show_moment(_now)
-	_formula.show_model(_model, _step())
-	_readout.show_model(_model, _step())
 	_options.show_choice("kind", _model.kind)
 
 

@@ -259,16 +259,13 @@ func _press_speed() -> float:
 	return Press.speed_after(PRESS_BOUNCE, speed, surface_speed)
 
 
-## The same as for every model. Where a mistake that is switched on changes nothing, the start of a
-## kind is taken in which it does.
-func take(changes: Dictionary) -> String:
-	var problem := super(changes)
-	if changes.has("mistake") and not problem and mistake != 0 and not mistake_shows():
-		var others := MovingPlatformsPresets.OF_KIND + [MovingPlatformsPresets.ALL["C = 0.5"]]
-		for other: Dictionary in others:
-			if not mistake_shows():
-				Refusal.push(super.take(other))
-	return problem
+## Where the mistake changes nothing, the start of a kind is taken in which it does.
+func show_mistake(_number: int) -> void:
+	for other: Dictionary in (
+		MovingPlatformsPresets.OF_KIND + [MovingPlatformsPresets.ALL["C = 0.5"]]
+	):
+		if mistake != 0 and not mistake_shows():
+			Refusal.push(take(other))
 
 
 ## Takes a typed number by its name in the formula. "" if it could be taken; else one sentence with

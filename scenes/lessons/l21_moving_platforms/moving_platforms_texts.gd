@@ -213,6 +213,11 @@ static func question_on_velocity() -> String:
 	)
 
 
+## The step at which a mistake is compared, for who switches it on at [param step].
+static func step_of_mistake(_mistake: int, step: int) -> int:
+	return maxi(step, MovingPlatformsModel.Step.BACK)
+
+
 ## Two or three lines for the card on the board, translated.
 static func verdict(
 	model: MovingPlatformsModel, flight: PlatformFlight, step: MovingPlatformsModel.Step

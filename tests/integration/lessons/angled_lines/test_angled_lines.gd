@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives the lesson on angled lines: keys of the course, drawing, moving and deleting lines,
 ## dragging the ball, steps back, presets, mistakes, undo and reset.
 

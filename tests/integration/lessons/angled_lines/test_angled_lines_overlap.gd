@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## A line that is dragged into a ball at rest carries it, in each way of stepping.
 
 

@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives what the event world adds to the lesson on angled lines: the timeline of impacts, by
 ## mouse, keys, buttons and gamepad, and Godot's own body on the same shot.
 

@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on aiming under gravity: steps, dragging, typing, the arcs, the bug gallery,
 ## the flight of the shot.
 
@@ -17,36 +17,36 @@ func after_each() -> void:
 
 
 func test_it_starts_with_two_arcs() -> void:
-	_assert_numbers("target", [200, 0])
-	assert_has(_lines(), "D₁ = (200, 0) − (0, 300·1² / 2) = (200, −150)")
-	assert_has(_lines(), "|D₁| = s t₁ = 250·1 = 250     d₁ = D₁ / |D₁| = (0.8, −0.6)")
+	assert_numbers("target", [200, 0])
+	assert_has(formula_lines(), "D₁ = (200, 0) − (0, 300·1² / 2) = (200, −150)")
+	assert_has(formula_lines(), "|D₁| = s t₁ = 250·1 = 250     d₁ = D₁ / |D₁| = (0.8, −0.6)")
 	assert_reads("2 aims hit")
 
 
 func test_the_times_come_from_a_quadratic_equation() -> void:
 	await go_to_step(_STEPS.TIMES)
-	assert_eq(_lines()[-2], "t₁ = |P| √(2 / (b + √w)) = 200 √(2 / (62500 + 17500)) = 1")
-	assert_eq(_lines()[-1], "t₂ = √(2 (b + √w)) / g = √(2·(62500 + 17500)) / 300 = 1.333")
+	assert_eq(formula_lines()[-2], "t₁ = |P| √(2 / (b + √w)) = 200 √(2 / (62500 + 17500)) = 1")
+	assert_eq(formula_lines()[-1], "t₂ = √(2 (b + √w)) / g = √(2·(62500 + 17500)) / 300 = 1.333")
 
 
 func test_the_least_speed_and_its_direction() -> void:
 	await go_to_step(_STEPS.LEAST)
-	assert_eq(_lines()[-2], "s₀² = g (|P| − P.y) = 300·(200 − 0) = 60000")
-	assert_eq(_lines()[-1], "s₀ = 244.9")
+	assert_eq(formula_lines()[-2], "s₀² = g (|P| − P.y) = 300·(200 − 0) = 60000")
+	assert_eq(formula_lines()[-1], "s₀ = 244.9")
 	for part: String in ["Envelope", "Least", "FromP", "FromUp"]:
 		assert_true(_is_drawn(part), part)
 
 
 func test_the_other_arc_can_be_picked() -> void:
-	await _pick("Which aim is flown", "high arc")
-	assert_has(_lines(), "|D₂| = s t₂ = 250·1.333 = 333.3     d₂ = D₂ / |D₂| = (0.6, −0.8)")
+	await pick("Which aim is flown", "high arc")
+	assert_has(formula_lines(), "|D₂| = s t₂ = 250·1.333 = 333.3     d₂ = D₂ / |D₂| = (0.6, −0.8)")
 	await student.press(&"lab_undo")
 	assert_eq(_model().arc, 0)
 
 
 func test_the_target_can_be_dragged_across_the_edge() -> void:
-	await _drag(Vec2.new(200, 0), Vec2.new(160, -60))
-	_assert_numbers("target", [160, -60])
+	await drag(Vec2.new(200, 0), Vec2.new(160, -60))
+	assert_numbers("target", [160, -60])
 	assert_reads("out of reach: s must be at least 263.2")
 	assert_does_not_read("2 aims hit")
 	assert_false(_is_drawn("Arc1"))
@@ -55,29 +55,29 @@ func test_the_target_can_be_dragged_across_the_edge() -> void:
 
 
 func test_speed_and_gravity_can_be_dragged() -> void:
-	await _drag(Vec2.new(100, -75), Vec2.new(120, -90))
+	await drag(Vec2.new(100, -75), Vec2.new(120, -90))
 	assert_eq(_model().speed, 300.0)
-	await _drag(Vec2.new(0, 150), Vec2.new(0, 100))
+	await drag(Vec2.new(0, 150), Vec2.new(0, 100))
 	assert_eq(_model().gravity, 200.0)
-	await _drag(Vec2.new(0, 100), Vec2.new(0, -40))
+	await drag(Vec2.new(0, 100), Vec2.new(0, -40))
 	assert_eq(_model().gravity, 0.0, "it never points up")
 	assert_reads("one aim hits")
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("speed of the bullet", "240")
+	await enter("speed of the bullet", "240")
 	assert_reads("out of reach: s must be at least 244.9")
-	await _enter("gravity", "0")
+	await enter("gravity", "0")
 	assert_reads("one aim hits")
-	await _enter("gravity", "-10")
+	await enter("gravity", "-10")
 	assert_reads("g must be within 0..100000, not −10")
 	assert_eq(_model().gravity, 0.0)
 
 
 func test_a_falling_target_is_aimed_at_straight() -> void:
 	await click_button("Falling target")
-	assert_has(_lines(), "D₁ = (160, −120)")
-	assert_eq(_lines()[-1], "|D₁| = s t₁ = 400·0.5 = 200     d₁ = D₁ / |D₁| = (0.8, −0.6)")
+	assert_has(formula_lines(), "D₁ = (160, −120)")
+	assert_eq(formula_lines()[-1], "|D₁| = s t₁ = 400·0.5 = 200     d₁ = D₁ / |D₁| = (0.8, −0.6)")
 	await _pick_mistake("Aimed at the present place")
 	assert_reads("the mistake misses by")
 
@@ -86,22 +86,22 @@ func test_a_moving_target_has_a_velocity_to_drag() -> void:
 	assert_false(_is_drawn("Velocity"))
 	await click_button("The target moves")
 	assert_true(_is_drawn("Velocity"))
-	await _drag(Vec2.new(170, 0), Vec2.new(200, 30))
-	_assert_numbers("velocity", [0, 60])
+	await drag(Vec2.new(170, 0), Vec2.new(200, 30))
+	assert_numbers("velocity", [0, 60])
 	assert_reads("2 aims hit")
 
 
 func test_four_aims_hit_a_target_that_moves_fast() -> void:
 	await click_button("Four aims")
 	assert_reads("4 aims hit")
-	assert_has(_lines(), "t₁ = 0.3592     t₂ = 0.8     t₃ = 1.5     t₄ = 3.341")
+	assert_has(formula_lines(), "t₁ = 0.3592     t₂ = 0.8     t₃ = 1.5     t₄ = 3.341")
 	for arc: int in 4:
 		assert_true(_is_drawn("Arc%d" % (arc + 1)))
 
 
 func test_each_mistake_is_named_and_misses() -> void:
 	await _pick_mistake("Sign of g")
-	assert_eq(_lines()[-1], "mistake: d = (0.8, 0.6)")
+	assert_eq(formula_lines()[-1], "mistake: d = (0.8, 0.6)")
 	assert_reads("the mistake misses by 146 px")
 	assert_true(_is_drawn("WrongPath"))
 	await _pick_mistake("One half forgotten")
@@ -159,7 +159,7 @@ func test_it_asks_how_many_aims_hit_and_where_to_aim() -> void:
 	await student.press(&"lab_next_step")
 	assert_true(_is_drawn("Guess"))
 	assert_false(_is_drawn("Arc1"))
-	await _drag(Vec2.new(200, 0), Vec2.new(200, -130))
+	await drag(Vec2.new(200, 0), Vec2.new(200, -130))
 	await student.press(&"lab_next_step")
 	assert_reads("Your guess was 20 off.")
 	assert_true(_is_drawn("Arc1"))
@@ -183,9 +183,9 @@ func test_it_moves_by_itself_at_first() -> void:
 	var swing := Callable(frame().lesson, &"_swing")
 	var first := Vec2.new(200, 0)
 	swing.call(2.5, first)
-	_assert_numbers("target", [200, -100])
+	assert_numbers("target", [200, -100])
 	swing.call(5.0, first)
-	_assert_numbers("target", [200, 0])
+	assert_numbers("target", [200, 0])
 
 
 func test_it_has_links() -> void:
@@ -208,39 +208,5 @@ func _is_drawn(part: String) -> bool:
 	return (frame().lesson.get_node("%" + part) as CanvasItem).is_visible_in_tree()
 
 
-func _assert_numbers(value: String, wanted: Array[float]) -> void:
-	var numbers: PackedFloat64Array = frame().lesson.state()[value]
-	assert_eq(numbers, PackedFloat64Array(wanted))
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
 func _pick_mistake(title: String) -> void:
-	await _pick("Known mistakes", title)
-
-
-func _pick(name_of_list: String, title: String) -> void:
-	var list := Screen.named(screen(), name_of_list) as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for item: int in list.item_count:
-		if list.get_item_text(item) == title:
-			break
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
-
-
-func _place(point: Vec2) -> Vector2:
-	var board := frame().lesson.board
-	return board.get_global_transform() * board.to_screen(point)
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
+	await pick("Known mistakes", title)

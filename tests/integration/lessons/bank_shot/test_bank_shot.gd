@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on bank shots: steps, dragging, typing, the orders of walls, the bug gallery,
 ## and the shot.
 
@@ -11,12 +11,12 @@ func before_each() -> void:
 
 
 func test_the_steps_build_image_and_bounce_with_the_numbers_put_in() -> void:
-	assert_eq(_lines()[0], "S = ( 100 , 100 )   T = ( 300 , 160 )")
+	assert_eq(formula_lines()[0], "S = ( 100 , 100 )   T = ( 300 , 160 )")
 	await go_to_step(BankShotModel.Step.BOUNCE)
-	assert_has(_lines(), "n̂ = (0, −1)   o = (20, 300) + r n̂ = (20, 280)")
-	assert_has(_lines(), "T′ = T − (1 + 1/C) d n̂ = (300, 400)")
-	assert_has(_lines(), "B = S + s (T′ − S) = (220, 280)")
-	assert_has(_lines(), "(T′ − S) / |T′ − S| = (0.5547, 0.8321)")
+	assert_has(formula_lines(), "n̂ = (0, −1)   o = (20, 300) + r n̂ = (20, 280)")
+	assert_has(formula_lines(), "T′ = T − (1 + 1/C) d n̂ = (300, 400)")
+	assert_has(formula_lines(), "B = S + s (T′ − S) = (220, 280)")
+	assert_has(formula_lines(), "(T′ − S) / |T′ − S| = (0.5547, 0.8321)")
 	assert_reads("the way is 360.6 px long, as the line to T′")
 
 
@@ -30,7 +30,7 @@ func test_the_aim_is_asked_before_the_image_and_the_bounce_before_it_is_shown() 
 	await student.press(&"lab_next_step")
 	assert_reads("Drag the “?” there.")
 	assert_false(_is_drawn("%Bounce1"))
-	await _drag(Vec2.new(200, 130), Vec2.new(220, 280))
+	await drag(Vec2.new(200, 130), Vec2.new(220, 280))
 	await student.press(&"lab_next_step")
 	assert_reads("Exactly.")
 	assert_true(_is_drawn("%Bounce1"))
@@ -39,14 +39,14 @@ func test_the_aim_is_asked_before_the_image_and_the_bounce_before_it_is_shown() 
 func test_a_loss_puts_the_image_deeper() -> void:
 	await go_to_step(BankShotModel.Step.IMAGE)
 	await click_button("C = 0.5")
-	assert_has(_lines(), "T′ = T − (1 + 1/C) d n̂ = (300, 520)")
+	assert_has(formula_lines(), "T′ = T − (1 + 1/C) d n̂ = (300, 520)")
 	assert_reads("T′ is 1/C times as far behind")
 
 
 func test_the_image_can_be_dragged_to_change_the_loss() -> void:
 	await go_to_step(BankShotModel.Step.IMAGE)
 	await click_button("C = 0.5")
-	await _drag(Vec2.new(300, 520), Vec2.new(300, 400))
+	await drag(Vec2.new(300, 520), Vec2.new(300, 400))
 	assert_eq(_model().board.bounciness, 1.0)
 	await student.press(&"lab_undo")
 	assert_eq(_model().board.bounciness, 0.5)
@@ -54,16 +54,16 @@ func test_the_image_can_be_dragged_to_change_the_loss() -> void:
 
 func test_the_moved_wall_can_be_dragged_to_change_the_radius() -> void:
 	await go_to_step(BankShotModel.Step.MOVED_WALL)
-	await _drag(Vec2.new(377, 280), Vec2.new(377, 270))
+	await drag(Vec2.new(377, 280), Vec2.new(377, 270))
 	assert_eq(_model().board.radius, 30.0)
 
 
 func test_start_target_and_walls_can_be_dragged() -> void:
-	await _drag(Vec2.new(100, 100), Vec2.new(80, 120))
+	await drag(Vec2.new(100, 100), Vec2.new(80, 120))
 	assert_eq(_model().board.start.to_vector2(), Vector2(80, 120))
-	await _drag(Vec2.new(300, 160), Vec2.new(340, 160))
+	await drag(Vec2.new(300, 160), Vec2.new(340, 160))
 	assert_eq(_model().board.target.to_vector2(), Vector2(340, 160))
-	await _drag(Vec2.new(440, 300), Vec2.new(440, 280))
+	await drag(Vec2.new(440, 300), Vec2.new(440, 280))
 	assert_eq(_model().board.walls[0].end.to_vector2(), Vector2(440, 280))
 	for undo: int in 3:
 		await student.press(&"lab_undo")
@@ -98,7 +98,7 @@ func test_each_order_of_walls_says_why_it_is_refused() -> void:
 func test_the_number_of_bounces_can_be_chosen() -> void:
 	await click_button("Three bounces")
 	await go_to_step(BankShotModel.Step.BOUNCE)
-	assert_has(_lines(), "B₂ = (215.1, 224.6)")
+	assert_has(formula_lines(), "B₂ = (215.1, 224.6)")
 	await _choose("Bounces", 0)
 	assert_eq(_model().board.bounces, 1)
 	await _choose("Bounces", 1)
@@ -193,21 +193,9 @@ func _choose(title: String, item: int) -> void:
 	await student.settle()
 
 
-func _drag(from: Vec2, to: Vec2) -> void:
-	var lesson := frame().lesson
-	var transform := lesson.get_global_transform()
-	await student.drag(
-		transform * lesson.board.to_screen(from), transform * lesson.board.to_screen(to)
-	)
-
-
 func _is_drawn(part: String) -> bool:
 	return (frame().lesson.get_node(part) as CanvasItem).visible
 
 
 func _model() -> BankShotModel:
 	return frame().lesson.get("_model")
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)

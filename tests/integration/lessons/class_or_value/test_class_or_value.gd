@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on objects and values as a student does.
 
 
@@ -9,53 +9,53 @@ func before_each() -> void:
 
 
 func test_it_starts_with_one_object_that_moved_under_both_names() -> void:
-	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
-	assert_has(_formula_lines(), "value (4, −4)   old_value (2, −3)")
+	assert_has(formula_lines(), "position (4, −4)   old (4, −4)")
+	assert_has(formula_lines(), "value (4, −4)   old_value (2, −3)")
 
 
 func test_a_dragged_vec2_takes_its_second_name_along_and_the_vector2_does_not() -> void:
 	await student.drag(_place(-4, -3), _place(-6, -1))
-	assert_has(_formula_lines(), "position (2, −2)   old (2, −2)")
-	assert_has(_formula_lines(), "value (2, −2)   old_value (2, −3)")
+	assert_has(formula_lines(), "position (2, −2)   old (2, −2)")
+	assert_has(formula_lines(), "value (2, −2)   old_value (2, −3)")
 
 
 func test_dragging_the_vector2_or_the_body_of_an_arrow_moves_both_to_the_same_place() -> void:
 	await student.drag(_place(12, -3), _place(13, -2))
-	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+	assert_eq(numbers("position"), PackedFloat64Array([5, -3]))
 	await student.drag(_place(-5.5, -0.5), _place(-5.5, 0.5))
-	assert_eq(_numbers("position"), PackedFloat64Array([5, -2]))
+	assert_eq(numbers("position"), PackedFloat64Array([5, -2]))
 
 
 func test_arrow_keys_nudge_a_head_by_one() -> void:
 	Screen.named(screen(), "Head of position").grab_focus()
 	await student.press(&"ui_right")
 	await student.press(&"ui_down")
-	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+	assert_eq(numbers("position"), PackedFloat64Array([5, -3]))
 
 
 func test_a_typed_number_changes_the_vec2_under_both_names() -> void:
 	await student.enter(_field("x of position"), "-1.5")
 	await student.enter(_field("y of position"), "2")
-	assert_has(_formula_lines(), "position (−1.5, 2)   old (−1.5, 2)")
+	assert_has(formula_lines(), "position (−1.5, 2)   old (−1.5, 2)")
 
 
 func test_with_copy_the_old_vec2_stays_behind() -> void:
 	await click_button("Use copy()")
-	assert_has(_formula_lines(), "old = position.copy()")
-	assert_has(_formula_lines(), "position (4, −4)   old (2, −3)")
+	assert_has(formula_lines(), "old = position.copy()")
+	assert_has(formula_lines(), "position (4, −4)   old (2, −3)")
 	await student.enter(_field("x of position"), "1")
-	assert_has(_formula_lines(), "position (1, −4)   old (2, −3)")
+	assert_has(formula_lines(), "position (1, −4)   old (2, −3)")
 	await click_button("Start again from here")
-	assert_has(_formula_lines(), "position (1, −4)   old (1, −4)")
+	assert_has(formula_lines(), "position (1, −4)   old (1, −4)")
 
 
 func test_until_the_change_the_first_numbers_can_be_typed_and_nothing_has_moved() -> void:
 	await go_to_step(ClassOrValueTexts.Step.SECOND_NAME)
-	assert_eq(_formula_lines()[0], "position = Vec2.new( 2 , -3 )")
+	assert_eq(formula_lines()[0], "position = Vec2.new( 2 , -3 )")
 	assert_eq(_arrow("%Old").head, _arrow("%Old").tail + Vector2(2, -3))
 	await student.enter(_field("x of position"), "5")
-	assert_eq(_numbers("old"), PackedFloat64Array([5, -3]))
-	assert_eq(_numbers("position"), PackedFloat64Array([5, -3]))
+	assert_eq(numbers("old"), PackedFloat64Array([5, -3]))
+	assert_eq(numbers("position"), PackedFloat64Array([5, -3]))
 
 
 func test_the_change_is_asked_for_before_it_is_shown() -> void:
@@ -80,16 +80,16 @@ func test_at_the_opening_both_sway_together_and_stay_level() -> void:
 		assert_almost_eq(position.head - position.tail, value.head - value.tail, Vector2.ONE * 1e-5)
 		assert_almost_eq(position.head.y - position.tail.y, -3.0, 1e-5)
 		# What 32 bits leave out is told later: here both read the same.
-		assert_eq(_first_number(_formula_lines()[1]), _first_number(_formula_lines()[0]))
+		assert_eq(_first_number(formula_lines()[1]), _first_number(formula_lines()[0]))
 	assert_gt(farthest, 0.3)
 
 
 func test_hidden_answers_hide_what_old_holds() -> void:
 	await student.press(&"lab_hide_answers")
-	assert_has(_formula_lines(), "position (4, −4)   old ?")
+	assert_has(formula_lines(), "position (4, −4)   old ?")
 	assert_eq(_arrow("%Old").modulate.a, 0.0)
 	await student.press(&"lab_hide_answers")
-	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
+	assert_has(formula_lines(), "position (4, −4)   old (4, −4)")
 
 
 func test_no_arrow_reaches_into_the_other_field() -> void:
@@ -133,8 +133,8 @@ func test_both_titles_stand_above_their_fields_in_their_own_halves() -> void:
 
 func test_32_bits_are_seen_in_the_numbers() -> void:
 	await student.enter(_field("x of position"), "16777217")
-	assert_has(_formula_lines(), "position (1.6777217e7, −4)   old (1.6777217e7, −4)")
-	assert_has(_formula_lines(), "value (1.6777216e7, −4)   old_value (2, −3)")
+	assert_has(formula_lines(), "position (1.6777217e7, −4)   old (1.6777217e7, −4)")
+	assert_has(formula_lines(), "value (1.6777216e7, −4)   old_value (2, −3)")
 
 
 # What the code shown would do, worked out from the state alone.
@@ -152,7 +152,7 @@ func test_in_random_states_every_name_holds_what_the_code_gives_it() -> void:
 				"copies": copies
 			}
 		)
-		var lines := "\n".join(_formula_lines()).replace(NumberText.MINUS, "-")
+		var lines := "\n".join(formula_lines()).replace(NumberText.MINUS, "-")
 		assert_string_contains(lines, "position = Vec2.new(%d, %d)" % old)
 		assert_string_contains(lines, "value = Vector2(%d, %d)\nold" % old)
 		assert_string_contains(lines, "set_xy( %d , %d )\nvalue = Vector2(%d, %d)" % (new + new))
@@ -205,12 +205,7 @@ func test_undo_and_reset_bring_back_what_is_shared() -> void:
 	await student.enter(_field("x of position"), "7")
 	await student.press(&"lab_reset")
 	assert_eq(frame().lesson.state(), first)
-	assert_has(_formula_lines(), "position (4, −4)   old (4, −4)")
-
-
-func _numbers(key: String) -> PackedFloat64Array:
-	var held: PackedFloat64Array = frame().lesson.state()[key]
-	return held
+	assert_has(formula_lines(), "position (4, −4)   old (4, −4)")
 
 
 func _place(x: float, y: float) -> Vector2:
@@ -231,10 +226,6 @@ func _symbol(text: String) -> Control:
 		if Screen.text_of(control) == text:
 			return control
 	return null
-
-
-func _formula_lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 # The first number in parentheses.

@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives the lesson on the easy bounce as a student does.
 
 const _PARTS_OF_STEPS: Array[String] = ["%Before", "%Shortest", "%RightBall", "%RightPath"]

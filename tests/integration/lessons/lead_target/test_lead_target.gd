@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on leading a target: dragging, typing, what is asked, the flight of the shot,
 ## the bug gallery.
 
@@ -16,17 +16,17 @@ func after_each() -> void:
 func test_it_starts_with_a_shot_that_misses_by_123() -> void:
 	assert_eq(_labels("WrongMiss"), "123 px")
 	assert_reads("A shot at where the target is now misses it.")
-	assert_eq(_lines().size(), 3)
+	assert_eq(formula_lines().size(), 3)
 
 
 func test_the_steps_lead_to_the_direction_of_the_table() -> void:
 	await go_to_step(LeadTargetModel.Step.TIME)
-	assert_has(_lines(), "a = V · V − s² = 8100 − 22500 = −14400")
-	assert_has(_lines(), "t = c / (√D − b) = 57600 / (28800 − 0) = 2")
-	assert_has(_lines(), "t₂ = (√D − b) / a = (28800 − 0) / (−14400) = −2")
+	assert_has(formula_lines(), "a = V · V − s² = 8100 − 22500 = −14400")
+	assert_has(formula_lines(), "t = c / (√D − b) = 57600 / (28800 − 0) = 2")
+	assert_has(formula_lines(), "t₂ = (√D − b) / a = (28800 − 0) / (−14400) = −2")
 	assert_reads("it hits after t = 2 s")
 	await go_to_step(LeadTargetModel.Step.AIM)
-	assert_has(_lines(), "d = (P + V t) / |P + V t| = (0.8, 0.6)")
+	assert_has(formula_lines(), "d = (P + V t) / |P + V t| = (0.8, 0.6)")
 
 
 func test_whether_it_can_hit_is_asked_and_where() -> void:
@@ -37,7 +37,7 @@ func test_whether_it_can_hit_is_asked_and_where() -> void:
 	assert_eq(frame().lesson.step, LeadTargetModel.Step.REACH)
 	await student.press(&"lab_next_step")
 	assert_reads("Where is the target when it is hit?")
-	await _drag(Vec2.new(120, -90), Vec2.new(120, 90))
+	await drag(Vec2.new(120, -90), Vec2.new(120, 90))
 	await student.press(&"lab_next_step")
 	assert_reads("Exactly.")
 
@@ -52,52 +52,52 @@ func test_nothing_is_asked_where_nothing_hits() -> void:
 
 
 func test_target_velocities_speed_and_radius_can_be_dragged() -> void:
-	await _drag(Vec2.new(120, 0), Vec2.new(60, -30))
+	await drag(Vec2.new(120, 0), Vec2.new(60, -30))
 	_assert_numbers("velocity", [-60, 60])
-	await _drag(Vec2.new(120, -90), Vec2.new(150, -90))
+	await drag(Vec2.new(120, -90), Vec2.new(150, -90))
 	_assert_numbers("target", [150, -90])
 	_assert_numbers("velocity", [-60, 60])
 	# The head of u lies on the shooter, which stands still.
-	await _drag(Vec2.new(-120, -90), Vec2.new(-120, -50))
+	await drag(Vec2.new(-120, -90), Vec2.new(-120, -50))
 	_assert_numbers("own", [0, 40])
-	await _drag(Vec2.new(-120, -90), Vec2.new(-100, -90))
+	await drag(Vec2.new(-120, -90), Vec2.new(-100, -90))
 	_assert_numbers("shooter", [-100, -90])
 	await go_to_step(LeadTargetModel.Step.REACH)
 	var knob := (frame().lesson.get_node("%SpeedHandle") as Handle).at()
-	await _drag(knob, Vec2.new(-100, 0))
+	await drag(knob, Vec2.new(-100, 0))
 	assert_eq(_model().speed, 90.0)
 	knob = (frame().lesson.get_node("%RadiusHandle") as Handle).at()
-	await _drag(knob, knob.plus(Vec2.new(30, 0)))
+	await drag(knob, knob.plus(Vec2.new(30, 0)))
 	assert_almost_eq(_model().radius, 30.0, 10.0)
 
 
 func test_clicks_put_target_and_shooter() -> void:
-	await student.click_at(_place(Vec2.new(60, 70)))
+	await student.click_at(place_of(Vec2.new(60, 70)))
 	_assert_numbers("target", [60, 70])
-	await student.click_at(_place(Vec2.new(-60, 70)), MOUSE_BUTTON_RIGHT)
+	await student.click_at(place_of(Vec2.new(-60, 70)), MOUSE_BUTTON_RIGHT)
 	_assert_numbers("shooter", [-60, 70])
 	await click_button("Undo")
 	_assert_numbers("shooter", [-120, -90])
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("speed of the bullet", "120")
+	await enter("speed of the bullet", "120")
 	assert_eq(_model().speed, 120.0)
-	await _enter("speed of the bullet", "0")
+	await enter("speed of the bullet", "0")
 	assert_reads("s must be within 0.001..1000000, not 0.")
 	assert_eq(_model().speed, 120.0)
-	await _enter("x of the shooter's velocity", "-5")
+	await enter("x of the shooter's velocity", "-5")
 	_assert_numbers("own", [-5, 0])
 
 
 func test_the_right_shot_flies_and_stops_when_it_hits() -> void:
 	await go_to_step(LeadTargetModel.Step.FIRE)
-	await _play()
+	await play_to_end()
 	assert_eq(_model().time, 2.0)
 	var bullet := (frame().lesson.get_node("%Bullet") as BallView).at()
 	assert_vec2(bullet, Vec2.new(120, 90), 1e-12)
 	assert_reads("miss 0 px; ε × condition 3.5e−13 px")
-	await _play()
+	await play_to_end()
 	assert_eq(_model().time, 2.0, "Play begins anew")
 
 
@@ -114,8 +114,8 @@ func test_a_single_frame_goes_on_and_back() -> void:
 func test_the_graph_leads_to_any_moment() -> void:
 	await go_to_step(LeadTargetModel.Step.TIME)
 	var graph := frame().lesson.get_node("%Graph") as LeadGraph
-	var place := graph.get_global_rect().position
-	await student.click_at(place + Vector2(graph.size.x * 0.75, 100.0))
+	var area := graph.get_global_rect().position
+	await student.click_at(area + Vector2(graph.size.x * 0.75, 100.0))
 	assert_between(_model().time, 0.8, 2.5)
 	assert_eq(_model().to_dictionary().has("time"), false)
 
@@ -123,7 +123,7 @@ func test_the_graph_leads_to_any_moment() -> void:
 func test_each_mistake_shows_its_miss_and_can_be_undone() -> void:
 	var wanted: PackedStringArray = ["123 px", "23.8 px", "200 px", "144 px", "144 px"]
 	for i: int in wanted.size():
-		await _pick_mistake(i + 1)
+		await pick_mistake_at(i + 1)
 		assert_eq(frame().lesson.step, LeadTargetModel.Step.FIRE)
 		assert_reads("the mistake misses by " + wanted[i])
 		assert_true((frame().lesson.get_node("%WrongWay") as CanvasItem).visible)
@@ -152,27 +152,12 @@ func test_the_readout_compares_the_careful_formula_with_that_of_the_slide() -> v
 	assert_gt(SeenLesson.first_number(readout.cell(2, 2).text), 1e-6)
 
 
-func _play() -> void:
-	await click_button("Play or pause")
-	var transport := frame().lesson.services[&"transport"] as Transport
-	Engine.time_scale = 20.0
-	for wait: int in 3000:
-		if not transport.is_playing:
-			break
-		await get_tree().process_frame
-	Engine.time_scale = 1.0
-
-
 func _model() -> LeadTargetModel:
 	return frame().lesson.get(&"_model")
 
 
 func _state() -> Dictionary:
 	return frame().lesson.state()
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 func _labels(part: String) -> String:
@@ -182,26 +167,3 @@ func _labels(part: String) -> String:
 func _assert_numbers(key: String, wanted: Array[float]) -> void:
 	var got: PackedFloat64Array = _state()[key]
 	assert_eq(got, PackedFloat64Array(wanted), key)
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick_mistake(item: int) -> void:
-	var list := Screen.named(screen(), "Known mistakes") as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for press: int in item:
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _place(point: Vec2) -> Vector2:
-	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.board.to_screen(point)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))

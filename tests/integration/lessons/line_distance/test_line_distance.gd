@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives the lesson on the distance from a line as a student does.
 
 

@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## The lesson on line ends, driven as a student does: the same shot in five fields.
 
 const _START := [-6.0, -8.0, 6.0, 16.0, 5.0]
@@ -22,10 +22,10 @@ func test_at_the_start_each_field_says_what_happens_in_it() -> void:
 
 
 func test_the_start_is_read_from_the_scene_of_a_field() -> void:
-	var field := _field("RoundCaps")
-	(field.get_node("%Shot") as DraggableVector).lay(Vec2.new(1, 2), Vec2.new(4, 6))
-	(field.get_node("%Line") as DraggableVector).lay(Vec2.new(-5, 7), Vec2.new(5, 7))
-	(field.get_node("%StartBall") as BallView).radius = 2.5
+	var view := _field("RoundCaps")
+	(view.get_node("%Shot") as DraggableVector).lay(Vec2.new(1, 2), Vec2.new(4, 6))
+	(view.get_node("%Line") as DraggableVector).lay(Vec2.new(-5, 7), Vec2.new(5, 7))
+	(view.get_node("%StartBall") as BallView).radius = 2.5
 	var model := LineEndsModel.new()
 	(frame().lesson.get_node("%Drawing") as LineEndsDrawing).put_start(model)
 	assert_vec2(model.start, Vec2.new(1, 2), 0.0)
@@ -37,35 +37,35 @@ func test_the_start_is_read_from_the_scene_of_a_field() -> void:
 
 func test_dragging_the_shot_in_one_field_moves_it_in_all() -> void:
 	for field_name: String in _SMALL_FIELDS + (["RoundCaps"] as Array[String]):
-		var before := _numbers("shot")
+		var before := numbers("shot")
 		await _drag(field_name, before[0] + before[2], before[1] + before[3], 3.0, -1.0)
-		assert_eq(_numbers("shot"), _with_head(before, 3.0, -1.0), field_name)
+		assert_eq(numbers("shot"), _with_head(before, 3.0, -1.0), field_name)
 		assert_eq(_ball_place("SegmentTwoSided"), _ball_place("SegmentOneSided"))
 		await student.press(&"lab_undo")
 
 
 func test_dragging_the_ball_keeps_the_head_where_it_is() -> void:
 	await _drag("RoundCaps", -6, -8, -10, -6)
-	assert_eq(_numbers("shot"), PackedFloat64Array([-10, -6, 10, 14, 5]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-10, -6, 10, 14, 5]))
 
 
 func test_dragging_an_end_moves_the_line_in_all_fields() -> void:
 	await _drag("SegmentTwoSided", 13, 8, 10, -2)
-	assert_eq(_numbers("line"), PackedFloat64Array([1, 3, 10, -2]))
+	assert_eq(numbers("line"), PackedFloat64Array([1, 3, 10, -2]))
 
 
 func test_a_left_click_aims_and_a_right_click_moves_the_ball() -> void:
 	await student.click_at(_place("RoundCaps", -12, 6))
-	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, -6, 14, 5]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-6, -8, -6, 14, 5]))
 	await student.click_at(_place("RoundCaps", -10, 10), MOUSE_BUTTON_RIGHT)
-	assert_eq(_numbers("shot"), PackedFloat64Array([-10, 10, -6, 14, 5]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-10, 10, -6, 14, 5]))
 
 
 func test_arrow_keys_nudge_the_shot() -> void:
 	Screen.named(_field("RoundCaps"), "Head of v").grab_focus()
 	await student.press(&"ui_left")
 	await student.press(&"ui_up")
-	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, 5, 15, 5]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-6, -8, 5, 15, 5]))
 
 
 func test_the_tab_key_reaches_the_handles_of_one_field_only() -> void:
@@ -79,30 +79,30 @@ func test_typed_numbers_move_the_shot_and_the_line() -> void:
 	await student.enter(_number_field("x of v"), "8")
 	await student.enter(_number_field("radius"), "3")
 	await student.enter(_number_field("y of B"), "-2.5")
-	assert_eq(_numbers("shot"), PackedFloat64Array([-6, -8, 8, 16, 3]))
-	assert_eq(_numbers("line"), PackedFloat64Array([1, 3, 13, -2.5]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-6, -8, 8, 16, 3]))
+	assert_eq(numbers("line"), PackedFloat64Array([1, 3, 13, -2.5]))
 
 
 func test_a_radius_that_cannot_be_is_refused_and_nothing_is_lost() -> void:
 	await student.enter(_number_field("radius"), "-2")
 	assert_reads("A radius of −2 cannot be: it goes from 0.001 to 1e6.")
-	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+	assert_eq(numbers("shot"), PackedFloat64Array(_START))
 
 
 func test_a_line_without_length_is_refused() -> void:
 	await _drag("RoundCaps", 13, 8, 1, 3)
 	assert_reads("The line must be at least 0.001 long: its ends must differ.")
-	assert_gt(Vec2.new(_numbers("line")[2] - 1.0, _numbers("line")[3] - 3.0).length(), 0.5)
+	assert_gt(Vec2.new(numbers("line")[2] - 1.0, numbers("line")[3] - 3.0).length(), 0.5)
 
 
 func test_undo_redo_and_reset() -> void:
 	await student.enter(_number_field("x of v"), "8")
 	await student.press(&"lab_undo")
-	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+	assert_eq(numbers("shot"), PackedFloat64Array(_START))
 	await student.press(&"lab_redo")
-	assert_eq(_numbers("shot")[2], 8.0)
+	assert_eq(numbers("shot")[2], 8.0)
 	await student.press(&"lab_reset")
-	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+	assert_eq(numbers("shot"), PackedFloat64Array(_START))
 
 
 func test_the_steps_bring_one_kind_of_line_after_the_other() -> void:
@@ -126,8 +126,8 @@ func test_only_the_large_field_names_the_motion() -> void:
 func test_the_graph_and_the_roots_come_with_their_steps() -> void:
 	await student.press(&"lab_previous_step")
 	assert_true(_part("Second").visible)
-	assert_has(_formula_lines(), "t = (−b ± √D) / (2 a)")
-	assert_has(_formula_lines(), "t₁ = (436 − 144) / 584 = 0.5")
+	assert_has(formula_lines(), "t = (−b ± √D) / (2 a)")
+	assert_has(formula_lines(), "t₁ = (436 − 144) / 584 = 0.5")
 	await student.press(&"lab_previous_step")
 	assert_false(_part("First").visible)
 	assert_true((frame().lesson.find_child("Graph") as Control).visible)
@@ -151,7 +151,7 @@ func test_the_normal_is_asked_for_before_the_bounce() -> void:
 	await student.press(&"lab_next_step")
 	await click_button("perpendicular to the line")
 	assert_reads("No, from the end to the ball's centre")
-	assert_has(_formula_lines(), "n̂ = (P + t₁ v − A) / r = (−0.8, −0.6)")
+	assert_has(formula_lines(), "n̂ = (P + t₁ v − A) / r = (−0.8, −0.6)")
 
 
 func test_what_becomes_of_the_ball_is_hidden_with_the_answers() -> void:
@@ -221,18 +221,18 @@ func test_a_ball_that_only_grazes_an_end_has_no_root_that_counts() -> void:
 	await student.enter(_number_field("y of A"), "0")
 	await go_to_step(LineEndsTexts.Step.ROOTS)
 	assert_eq(_words("RoundCaps"), "passes beside")
-	assert_string_contains(_formula_lines()[-1], "it only grazes: none")
+	assert_string_contains(formula_lines()[-1], "it only grazes: none")
 
 
 func test_a_ball_that_overlaps_the_end_takes_its_normal_at_the_start() -> void:
 	await click_button("Overlap")
-	assert_has(_formula_lines(), "n̂ = d / |d| = (−0.7071, −0.7071)")
+	assert_has(formula_lines(), "n̂ = d / |d| = (−0.7071, −0.7071)")
 
 
 func test_a_near_miss_says_that_there_is_no_root() -> void:
 	await click_button("Miss")
 	await go_to_step(LineEndsTexts.Step.ROOTS)
-	assert_has(_formula_lines(), "D < 0: no root. This end is not touched.")
+	assert_has(formula_lines(), "D < 0: no root. This end is not touched.")
 	assert_false(_part("First").visible)
 
 
@@ -279,9 +279,9 @@ func test_each_mistake_names_itself_and_its_wrong_fraction() -> void:
 
 func test_a_mistake_that_the_shot_hides_brings_its_own_shot() -> void:
 	await _pick_mistake("Mistake 19")
-	assert_eq(_numbers("shot"), PackedFloat64Array([-9, -7, 16, 12, 3]))
+	assert_eq(numbers("shot"), PackedFloat64Array([-9, -7, 16, 12, 3]))
 	await student.press(&"lab_undo")
-	assert_eq(_numbers("shot"), PackedFloat64Array(_START))
+	assert_eq(numbers("shot"), PackedFloat64Array(_START))
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:
@@ -333,11 +333,6 @@ func _words(field_name: String) -> String:
 	return (_field(field_name).get_node("%Words") as Label).text.replace("\u00a0=\u00a0", " = ")
 
 
-func _numbers(key: String) -> PackedFloat64Array:
-	var held: PackedFloat64Array = frame().lesson.state()[key]
-	return held
-
-
 func _fraction() -> float:
 	return frame().lesson.state()["time"]
 
@@ -352,10 +347,6 @@ func _ball_place(field_name: String) -> String:
 
 func _number_field(title: String) -> LineEdit:
 	return Screen.named(screen(), title) as LineEdit
-
-
-func _formula_lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 func _transport() -> Transport:

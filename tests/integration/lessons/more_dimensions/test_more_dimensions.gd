@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## The lesson on more dimensions, driven as a student does.
 
 const _HALF_A_HANDLE := Vector2(Handle.TOUCH_SIZE, Handle.TOUCH_SIZE) / 2.0
@@ -12,8 +12,8 @@ func before_each() -> void:
 
 func test_the_first_sight_is_an_acute_angle_in_space() -> void:
 	assert_reads("a · b > 0\nthe angle is below 90°")
-	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) = 18")
-	assert_has(_formula_lines(), "α = 43.16°")
+	assert_has(formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) = 18")
+	assert_has(formula_lines(), "α = 43.16°")
 	assert_true(_part("Picture").visible)
 
 
@@ -28,7 +28,7 @@ func test_the_presets_show_all_three_signs() -> void:
 
 func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
 	await click_button("Four components")
-	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 = 21")
+	assert_has(formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 = 21")
 	assert_false(_part("Picture").visible)
 	assert_not_null(Screen.named(screen(), "Component 4 of a"))
 
@@ -36,7 +36,7 @@ func test_the_fourth_component_takes_part_in_the_same_formula() -> void:
 func test_five_components_take_part_in_the_same_formula_and_four_do_not_then() -> void:
 	await click_button("Four components")
 	await click_button("Five components")
-	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 + 3·(−2) = 15")
+	assert_has(formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−1) + 1·3 + 3·(−2) = 15")
 	var has_four: bool = frame().lesson.state()["has_four"]
 	assert_false(has_four)
 	assert_not_null(Screen.named(screen(), "Component 5 of b"))
@@ -84,14 +84,14 @@ func test_the_card_covers_no_bar_where_bars_fill_the_board() -> void:
 
 func test_typed_components_are_taken() -> void:
 	await student.enter(_field("Component 3 of b"), "-2.5")
-	assert_eq(_numbers("b"), PackedFloat64Array([2, -4, -2.5, 3]))
-	assert_has(_formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−2.5) = 15")
+	assert_eq(numbers("b"), PackedFloat64Array([2, -4, -2.5, 3]))
+	assert_has(formula_lines(), "a · b = 4·2 + (−3)·(−4) + 2·(−2.5) = 15")
 
 
 func test_a_component_that_cannot_be_is_refused() -> void:
 	await student.enter(_field("Component 1 of a"), "1e7")
 	assert_reads("1e7 cannot be: a component is 0, or from 1e-6 to 1e6 in size.")
-	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+	assert_eq(numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
 
 
 func test_dragging_the_end_of_a_bar_changes_its_component_only() -> void:
@@ -99,15 +99,15 @@ func test_dragging_the_end_of_a_bar_changes_its_component_only() -> void:
 	var from := handle.get_global_rect().get_center()
 	var unit := (_part("Bars") as ComponentBars).pixels_per_unit
 	await student.drag(from, from - Vector2(0.0, 3.0 * unit))
-	assert_eq(_numbers("b"), PackedFloat64Array([2, -1, -1, 3]))
-	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+	assert_eq(numbers("b"), PackedFloat64Array([2, -1, -1, 3]))
+	assert_eq(numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
 
 
 func test_arrow_keys_nudge_a_bar_by_one() -> void:
 	(_part("Bars").get_node("A1") as Control).grab_focus()
 	await student.press(&"ui_up")
 	await student.press(&"ui_left")
-	assert_eq(_numbers("a"), PackedFloat64Array([5, -3, 2, 1]))
+	assert_eq(numbers("a"), PackedFloat64Array([5, -3, 2, 1]))
 
 
 func test_dragging_a_head_moves_it_to_whole_numbers_near_the_pointer() -> void:
@@ -117,7 +117,7 @@ func test_dragging_a_head_moves_it_to_whole_numbers_near_the_pointer() -> void:
 	target.add(Vec2.new(3, 2))
 	var from := Screen.named(screen(), "Head of a").get_global_rect().get_center()
 	await student.drag(from, from + Vector2(3.0, 2.0) * picture.pixels_per_unit)
-	var a := _numbers("a")
+	var a := numbers("a")
 	assert_eq(a, PackedFloat64Array([roundf(a[0]), roundf(a[1]), roundf(a[2]), 1]))
 	# Rounding each component moves the head by half the diagonal of a unit cube at most.
 	assert_lt(Axonometry.new().seen_at(a[0], a[1], a[2]).distance_to(target), sqrt(0.75))
@@ -125,12 +125,12 @@ func test_dragging_a_head_moves_it_to_whole_numbers_near_the_pointer() -> void:
 
 func test_dragging_beside_the_arrows_turns_the_view_and_nothing_else() -> void:
 	var corner := _part("Picture").get_global_rect().end - Vector2(60.0, 60.0)
-	var view := _numbers("view")
+	var view := numbers("view")
 	await student.drag(corner, corner - Vector2(100.0, 30.0))
-	assert_almost_eq(_numbers("view")[0], view[0] + 1.0, 0.01)
-	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+	assert_almost_eq(numbers("view")[0], view[0] + 1.0, 0.01)
+	assert_eq(numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
 	await student.press(&"lab_undo")
-	assert_eq(_numbers("view"), view)
+	assert_eq(numbers("view"), view)
 
 
 func test_undo_redo_and_reset() -> void:
@@ -146,7 +146,7 @@ func test_undo_redo_and_reset() -> void:
 func test_the_steps_build_the_sum_up() -> void:
 	var counts: Array[int] = []
 	for step: int in 5:
-		counts.push_front(_formula_lines().size())
+		counts.push_front(formula_lines().size())
 		await student.press(&"lab_previous_step")
 	assert_eq(counts, [2, 3, 3, 4, 7] as Array[int])
 	assert_false(_part("Stairs").visible)
@@ -181,22 +181,22 @@ func test_at_the_opening_the_axes_turn_and_no_number_changes() -> void:
 	OpeningMotion.is_allowed = true
 	await open_lesson(LessonIndex.find(&"more_dimensions"))
 	OpeningMotion.is_allowed = false
-	var first := _numbers("view")[0]
+	var first := numbers("view")[0]
 	for i: int in 40:
 		await get_tree().process_frame
-	assert_gt(_numbers("view")[0], first + 0.1)
-	assert_eq(_numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
+	assert_gt(numbers("view")[0], first + 0.1)
+	assert_eq(numbers("a"), PackedFloat64Array([4, -3, 2, 1]))
 
 
 func test_hidden_answers_hide_the_angle_everywhere() -> void:
 	await student.press(&"lab_hide_answers")
-	assert_has(_formula_lines(), "a · b ? 0: ?")
-	assert_has(_formula_lines(), "α = ?°")
+	assert_has(formula_lines(), "a · b ? 0: ?")
+	assert_has(formula_lines(), "α = ?°")
 	for part: String in ["%Arc", "%Shadow", "%Stairs", "%VerdictCard"]:
 		var shown := frame().lesson.get_node(part) as CanvasItem
 		assert_eq([shown.visible, shown.modulate.a], [true, 0.0], part)
 	await student.press(&"lab_hide_answers")
-	assert_has(_formula_lines(), "α = 43.16°")
+	assert_has(formula_lines(), "α = 43.16°")
 
 
 func test_the_arc_of_the_angle_goes_from_one_vector_to_the_other() -> void:
@@ -214,10 +214,10 @@ func test_parallel_vectors_make_no_angle_or_180_degrees() -> void:
 	for i: int in 3:
 		await student.enter(_field("Component %d of a" % (i + 1)), str(i + 3))
 		await student.enter(_field("Component %d of b" % (i + 1)), str(2 * i + 6))
-	assert_has(_formula_lines(), "α = 0°")
+	assert_has(formula_lines(), "α = 0°")
 	for i: int in 3:
 		await student.enter(_field("Component %d of b" % (i + 1)), str(-2 * i - 6))
-	assert_has(_formula_lines(), "α = 180°")
+	assert_has(formula_lines(), "α = 180°")
 
 
 func test_the_products_are_added_up_with_the_step_that_adds_them() -> void:
@@ -234,7 +234,7 @@ func test_an_angle_just_below_90_degrees_is_not_shown_as_90() -> void:
 	await click_button("Right angle")
 	await student.enter(_field("Component 3 of b"), "-4.9999999")
 	assert_reads("a · b > 0")
-	assert_has(_formula_lines(), "α = 89.9999996°")
+	assert_has(formula_lines(), "α = 89.9999996°")
 
 
 func test_a_question_is_answered_and_shown_on_the_board() -> void:
@@ -243,7 +243,7 @@ func test_a_question_is_answered_and_shown_on_the_board() -> void:
 	await student.enter(_field("a · b ="), "0.5")
 	assert_reads("0.5 is not it yet")
 	await click_button("Show on board")
-	var last := _formula_lines()[2].get_slice(" = ", 2).replace("(", "").replace(")", "")
+	var last := formula_lines()[2].get_slice(" = ", 2).replace("(", "").replace(")", "")
 	await student.enter(_field("a · b ="), last)
 	assert_reads("Right: %s." % last)
 
@@ -252,16 +252,7 @@ func _part(part_name: String) -> Control:
 	return frame().lesson.get_node("%" + part_name) as Control
 
 
-func _numbers(key: String) -> PackedFloat64Array:
-	var held: PackedFloat64Array = frame().lesson.state()[key]
-	return held
-
-
 # A handle of the bars has the same name as its field.
 func _field(title: String) -> LineEdit:
 	var panel := frame().get_node("%Panel")
 	return Screen.named(panel, title) as LineEdit
-
-
-func _formula_lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)

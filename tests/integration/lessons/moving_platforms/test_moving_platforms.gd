@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on surfaces that move: steps, kinds, dragging, typing, the frame of reference,
 ## the bug gallery, the flight.
 
@@ -17,12 +17,12 @@ func after_each() -> void:
 
 func test_the_same_impact_in_both_frames_of_reference() -> void:
 	await go_to_step(_STEPS.FRAME)
-	assert_eq(_lines()[-1], "U = v − w = (−200, 100) − (100, 0) = (−300, 100)")
+	assert_eq(formula_lines()[-1], "U = v − w = (−200, 100) − (100, 0) = (−300, 100)")
 	await go_to_step(_STEPS.LAW)
-	assert_has(_lines(), "C = 1   n = (1, 0)   U · n = −300")
-	assert_eq(_lines()[-1], "U′ = U − (1 + C) (U · n) n = (300, 100)")
+	assert_has(formula_lines(), "C = 1   n = (1, 0)   U · n = −300")
+	assert_eq(formula_lines()[-1], "U′ = U − (1 + C) (U · n) n = (300, 100)")
 	await go_to_step(_STEPS.BACK)
-	assert_eq(_lines()[-1], "v′ = U′ + w = (300, 100) + (100, 0) = (400, 100)")
+	assert_eq(formula_lines()[-1], "v′ = U′ + w = (300, 100) + (100, 0) = (400, 100)")
 	assert_reads("v′ = (400, 100)")
 	assert_vec2(_part_at("BallThen"), Vec2.new(0, 0), 1e-9)
 	await click_button("Ride along")
@@ -32,23 +32,23 @@ func test_the_same_impact_in_both_frames_of_reference() -> void:
 
 func test_both_velocities_are_dragged() -> void:
 	await go_to_step(_STEPS.BACK)
-	await _drag(Vec2.new(100, -50), Vec2.new(120, -50))
-	_assert_numbers("velocity", [-160, 100])
-	await _drag(Vec2.new(-70, 0), Vec2.new(-20, 0))
-	_assert_numbers("surface_velocity", [200, 0])
+	await drag(Vec2.new(100, -50), Vec2.new(120, -50))
+	assert_numbers("velocity", [-160, 100])
+	await drag(Vec2.new(-70, 0), Vec2.new(-20, 0))
+	assert_numbers("surface_velocity", [200, 0])
 	assert_reads("v′ = (560, 100)")
 	await student.press(&"lab_undo")
-	_assert_numbers("surface_velocity", [100, 0])
-	await _drag(Vec2.new(200, -100), Vec2.new(-110, -60))
+	assert_numbers("surface_velocity", [100, 0])
+	await drag(Vec2.new(200, -100), Vec2.new(-110, -60))
 	assert_reads("the ball's centre must be more than 20 px from the surface")
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("x of v", "-300")
-	_assert_numbers("velocity", [-300, 100])
-	await _enter("bounciness C", "2")
+	await enter("x of v", "-300")
+	assert_numbers("velocity", [-300, 100])
+	await enter("bounciness C", "2")
 	assert_reads("C must be within 0..1, not 2.")
-	await _enter("bounciness C", "0.5")
+	await enter("bounciness C", "0.5")
 	await go_to_step(_STEPS.BACK)
 	assert_reads("v′ = (300, 100)")
 
@@ -63,18 +63,18 @@ func test_each_kind_has_its_own_start_and_answer() -> void:
 		"a wall": "v′ = (400, 100)",
 	}
 	for kind in wanted:
-		await _pick("What moves", kind)
+		await pick("What moves", kind)
 		assert_reads(wanted[kind])
 
 
 func test_the_belt_is_dragged_and_its_slope() -> void:
-	await _pick("What moves", "a belt")
+	await pick("What moves", "a belt")
 	await go_to_step(_STEPS.BACK)
-	assert_eq(_lines()[-1], "v′ = v − u / 3 = 0 − (−30) = 30")
-	await _drag(Vec2.new(90, 74), Vec2.new(150, 74))
+	assert_eq(formula_lines()[-1], "v′ = v − u / 3 = 0 − (−30) = 30")
+	await drag(Vec2.new(90, 74), Vec2.new(150, 74))
 	assert_eq(_model().surface_speed, 150.0)
 	assert_reads("then it rolls with 50 px/s")
-	await _drag(Vec2.new(-120, -16), Vec2.new(-60, -16))
+	await drag(Vec2.new(-120, -16), Vec2.new(-60, -16))
 	assert_eq(_model().speed, 60.0)
 	await click_button("Uphill")
 	assert_reads("then it rolls with 60 px/s")
@@ -82,64 +82,64 @@ func test_the_belt_is_dragged_and_its_slope() -> void:
 
 
 func test_the_paddle_turns_faster_when_its_tip_is_dragged() -> void:
-	await _pick("What moves", "a paddle that turns")
+	await pick("What moves", "a paddle that turns")
 	await go_to_step(_STEPS.FRAME)
-	assert_has(_lines(), "r = (0, −100)   w = ω (−r.y, r.x) = (200, 0)")
+	assert_has(formula_lines(), "r = (0, −100)   w = ω (−r.y, r.x) = (200, 0)")
 	var head := (frame().lesson.get_node("%SurfaceVelocityHead") as Handle).at()
 	var tip := Vec2.new(-120, 190)
-	await _drag(head, tip.plus(head.minus(tip).scaled(0.5)))
+	await drag(head, tip.plus(head.minus(tip).scaled(0.5)))
 	assert_almost_eq(_model().turning, 1.0, 0.1)
 
 
 func test_the_press_closes_and_tells_the_crushed_ball() -> void:
-	await _pick("What moves", "a press")
+	await pick("What moves", "a press")
 	await go_to_step(_STEPS.BACK)
-	assert_has(_lines(), "u₃ = u₀ + 3·2 V = 300 + 600 = 900")
-	assert_eq(_lines()[-1], "h₃ = h₀ (u₀ − V) / (u₃ − V) = 200·200 / 800 = 50")
+	assert_has(formula_lines(), "u₃ = u₀ + 3·2 V = 300 + 600 = 900")
+	assert_eq(formula_lines()[-1], "h₃ = h₀ (u₀ − V) / (u₃ − V) = 200·200 / 800 = 50")
 	await go_to_step(_STEPS.FLY)
 	assert_reads("crushed after 2 s")
-	await _play()
+	await play_to_end()
 	assert_eq((frame().lesson.get_node("%ShownBall") as BallView).role, Palette.Role.WRONG)
-	await _drag(Vec2.new(120, 0), Vec2.new(170, 0))
+	await drag(Vec2.new(120, 0), Vec2.new(170, 0))
 	assert_eq(_model().way, 300.0)
 	assert_reads("crushed after 3 s")
 
 
 func test_each_mistake_is_shown_with_its_number() -> void:
 	await click_button("C = 0.5")
-	await _pick("Known mistakes", "The wall taken to rest")
+	await pick("Known mistakes", "The wall taken to rest")
 	assert_eq(frame().lesson.step, _STEPS.BACK)
 	assert_reads("the mistake: v′ = (100, 0)")
-	await _pick("Known mistakes", "Wall added once")
+	await pick("Known mistakes", "Wall added once")
 	assert_reads("the mistake: v′ = (200, 0)")
-	await _pick("Known mistakes", "Wall added twice")
+	await pick("Known mistakes", "Wall added twice")
 	assert_reads("the mistake: v′ = (300, 0)")
-	assert_eq(_lines()[-1], "mistake: (300, 0)")
-	await _pick("Known mistakes", "The tip's velocity")
+	assert_eq(formula_lines()[-1], "mistake: (300, 0)")
+	await pick("Known mistakes", "The tip's velocity")
 	assert_reads("the mistake: v′ = (800, 100)")
-	await _pick("Known mistakes", "The belt's speed")
+	await pick("Known mistakes", "The belt's speed")
 	assert_reads("the mistake: 90 px/s")
-	await _pick("Known mistakes", "One frame late")
+	await pick("Known mistakes", "One frame late")
 	assert_reads("the mistake: 1.5 px behind")
 
 
 func test_what_never_meets_says_so() -> void:
 	await go_to_step(_STEPS.BACK)
-	await _drag(Vec2.new(100, -50), Vec2.new(300, -50))
+	await drag(Vec2.new(100, -50), Vec2.new(300, -50))
 	assert_reads("Within 20 s they do not meet.")
 	assert_reads("no impact within 20 s")
-	assert_eq(_lines()[-1], "no impact")
+	assert_eq(formula_lines()[-1], "no impact")
 
 
 func test_it_flies_in_the_event_world_and_misses_by_rounding_alone() -> void:
 	await go_to_step(_STEPS.FLY)
 	assert_reads("; ε × condition ")
-	await _play()
+	await play_to_end()
 	assert_vec2(_part_at("ShownBall"), Vec2.new(240, 60), 1e-6)
 
 
 func test_before_the_answer_it_plays_until_they_meet() -> void:
-	await _play()
+	await play_to_end()
 	assert_vec2(_part_at("ShownBall"), Vec2.new(0, 0), 1e-6)
 
 
@@ -148,13 +148,13 @@ func test_it_asks_for_the_arrow_after_the_impact() -> void:
 	await student.press(&"lab_next_step")
 	var guess := frame().lesson.get_node("%Guess") as Control
 	assert_true(guess.is_visible_in_tree())
-	await _drag(Vec2.new(-100, 50), Vec2.new(180, 50))
+	await drag(Vec2.new(-100, 50), Vec2.new(180, 50))
 	await student.press(&"lab_next_step")
 	assert_reads("Your guess was 20 off.")
 
 
 func test_it_asks_what_becomes_of_the_disc() -> void:
-	await _pick("What moves", "a belt")
+	await pick("What moves", "a belt")
 	await go_to_step(_STEPS.FRAME)
 	await student.press(&"lab_next_step")
 	await click_button("as fast as the belt")
@@ -187,50 +187,5 @@ func _model() -> MovingPlatformsModel:
 	return frame().lesson.get(&"_model")
 
 
-func _play() -> void:
-	await click_button("Play or pause")
-	var transport := frame().lesson.services[&"transport"] as Transport
-	Engine.time_scale = 20.0
-	for wait: int in 3000:
-		if not transport.is_playing:
-			break
-		await get_tree().process_frame
-	Engine.time_scale = 1.0
-
-
 func _part_at(part: String) -> Vec2:
 	return (frame().lesson.get_node("%" + part) as BallView).at()
-
-
-func _assert_numbers(value: String, wanted: Array[float]) -> void:
-	var numbers: PackedFloat64Array = frame().lesson.state()[value]
-	assert_eq(numbers, PackedFloat64Array(wanted))
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick(name_of_list: String, title: String) -> void:
-	var list := Screen.named(screen(), name_of_list) as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for item: int in list.item_count:
-		if list.get_item_text(item) == title:
-			break
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
-
-
-func _place(point: Vec2) -> Vector2:
-	var board := frame().lesson.board
-	return board.get_global_transform() * board.to_screen(point)
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)

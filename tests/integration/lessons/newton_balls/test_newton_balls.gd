@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on balls that push each other: dragging, typing, keys, what is asked, the
 ## flight forwards and back, the bug gallery.
 
@@ -16,14 +16,14 @@ func after_each() -> void:
 
 
 func test_the_steps_lead_to_the_numbers_of_the_course() -> void:
-	assert_eq(_lines().size(), 3)
+	assert_eq(formula_lines().size(), 3)
 	await go_to_step(NewtonBallsModel.Step.CENTER)
 	assert_reads("V = (2, 0), before and after")
 	await go_to_step(NewtonBallsModel.Step.IMPULSE)
-	assert_has(_lines(), "J = (1 + C) μ w = (1 + 1)·0.6667·6 = 8")
+	assert_has(formula_lines(), "J = (1 + C) μ w = (1 + 1)·0.6667·6 = 8")
 	await go_to_step(NewtonBallsModel.Step.AFTER)
-	assert_has(_lines(), "v₁′ = v₁ − (J / m₁) n = (6, 0) − 8·(1, 0) = (−2, 0)")
-	assert_has(_lines(), "v₂′ = v₂ + (J / m₂) n = (0, 0) + 4·(1, 0) = (4, 0)")
+	assert_has(formula_lines(), "v₁′ = v₁ − (J / m₁) n = (6, 0) − 8·(1, 0) = (−2, 0)")
+	assert_has(formula_lines(), "v₂′ = v₂ + (J / m₂) n = (0, 0) + 4·(1, 0) = (4, 0)")
 	await go_to_step(NewtonBallsModel.Step.MOMENTUM)
 	assert_reads("t = 0.00 s   P = (6, 0)   E = 18")
 	await click_button("C = 0.5")
@@ -41,7 +41,7 @@ func test_what_is_asked_before_it_is_shown() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("Where does the arrow of v₁′ end")
 	var guess := frame().lesson.get_node("%Guess") as Handle
-	await student.drag(_place(guess.at()), _place(guess.at().minus(Vec2.new(8.0, 0.0))))
+	await student.drag(place_of(guess.at()), place_of(guess.at().minus(Vec2.new(8.0, 0.0))))
 	await student.press(&"lab_next_step")
 	assert_reads("Your guess was")
 	await student.press(&"lab_next_step")
@@ -52,29 +52,29 @@ func test_what_is_asked_before_it_is_shown() -> void:
 
 
 func test_balls_velocities_masses_and_c_can_be_dragged() -> void:
-	await _drag(Vec2.new(0, -2), Vec2.new(-2, -3))
+	await drag(Vec2.new(0, -2), Vec2.new(-2, -3))
 	assert_eq(_balls()[0], _pack([-6, -2, 4, -1, 1]))
 	# By its disc, off the middle.
-	await _drag(Vec2.new(-6.6, -1.7), Vec2.new(-7.6, -0.7))
+	await drag(Vec2.new(-6.6, -1.7), Vec2.new(-7.6, -0.7))
 	assert_eq(_balls()[0], _pack([-7, -1, 4, -1, 1]))
 	var mass := frame().lesson.get_node("%Mass1") as Handle
-	await _drag(mass.at(), mass.at().minus(Vec2.new(0.0, 1.0)))
+	await drag(mass.at(), mass.at().minus(Vec2.new(0.0, 1.0)))
 	assert_eq(_balls()[0][4], 4.0)
 	var bounciness := frame().lesson.get_node("%Bounciness") as Handle
-	await _drag(bounciness.at(), Vec2.new(0.0, bounciness.at().y))
+	await drag(bounciness.at(), Vec2.new(0.0, bounciness.at().y))
 	assert_eq(_model().bounciness, 0.5)
 	await click_button("Undo")
 	assert_eq(_model().bounciness, 1.0)
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("mass of ball 2", "3")
+	await enter("mass of ball 2", "3")
 	assert_eq(_balls()[1][4], 3.0)
-	await _enter("mass of ball 2", "0")
+	await enter("mass of ball 2", "0")
 	assert_reads("m of ball 2 must be within 0.01..100, not 0.")
-	await _enter("y of the velocity of ball 1", "-1")
+	await enter("y of the velocity of ball 1", "-1")
 	assert_eq(_balls()[0], _pack([-6, -2, 6, -1, 1]))
-	await _enter("bounciness C", "2")
+	await enter("bounciness C", "2")
 	assert_reads("C must be within 0..1, not 2.")
 
 
@@ -95,7 +95,7 @@ func test_newton_off_flies_and_is_compared() -> void:
 	await student.press(&"lab_newton")
 	await go_to_step(NewtonBallsModel.Step.MOMENTUM)
 	assert_reads("the mistake makes P = (−6, 0)")
-	await _play()
+	await play_to_end()
 	assert_reads("P = (−6, 0)   E = 18")
 
 
@@ -120,7 +120,7 @@ func test_grabbing_a_flying_ball_takes_all_as_the_new_start() -> void:
 	for frames: int in 30:
 		await student.press(&"lab_next_frame")
 	assert_almost_eq(_flying()[0][0], -3.0, 1e-9)
-	await _drag(Vec2.new(3, -1.1), Vec2.new(5, -1.1))
+	await drag(Vec2.new(3, -1.1), Vec2.new(5, -1.1))
 	assert_almost_eq(_balls()[0][0], -3.0, 1e-9)
 	assert_eq(_balls()[1][0], 4.0)
 	await student.press(&"lab_undo")
@@ -150,7 +150,7 @@ func test_every_preset_flies_for_some_seconds() -> void:
 func test_each_mistake_shows_and_can_be_undone() -> void:
 	var infos := NewtonBallsMistakes.infos()
 	for item: int in infos.size():
-		await _pick_mistake(item + 1)
+		await pick_mistake_at(item + 1)
 		assert_gt(frame().lesson.step, NewtonBallsModel.Step.AFTER)
 		assert_eq(_model().mistake, infos[item].number)
 		assert_reads("the mistake makes P = ")
@@ -186,23 +186,12 @@ func test_the_readout_tells_the_error_of_both_velocities() -> void:
 
 
 func test_balls_that_part_are_told_and_nothing_is_asked() -> void:
-	await _enter("x of the velocity of ball 1", "-6")
+	await enter("x of the velocity of ball 1", "-6")
 	assert_reads("Within 60 s no two balls meet.")
 	for presses: int in NewtonBallsModel.Step.ENERGY:
 		await student.press(&"lab_next_step")
 	assert_eq(frame().lesson.step, NewtonBallsModel.Step.ENERGY)
 	assert_reads("within 60 s no two balls meet")
-
-
-func _play() -> void:
-	await click_button("Play or pause")
-	var transport := frame().lesson.services[&"transport"] as Transport
-	Engine.time_scale = 20.0
-	for wait: int in 3000:
-		if not transport.is_playing:
-			break
-		await get_tree().process_frame
-	Engine.time_scale = 1.0
 
 
 func _model() -> NewtonBallsModel:
@@ -221,32 +210,5 @@ func _flying() -> Array[PackedFloat64Array]:
 	return found
 
 
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick_mistake(item: int) -> void:
-	var list := Screen.named(screen(), "Known mistakes") as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for press: int in item:
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _pack(numbers: Array[float]) -> PackedFloat64Array:
-	return PackedFloat64Array(numbers)
-
-
-func _place(point: Vec2) -> Vector2:
-	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.board.to_screen(point)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
+func _pack(packed: Array[float]) -> PackedFloat64Array:
+	return PackedFloat64Array(packed)

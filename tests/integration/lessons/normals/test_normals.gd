@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives the lesson on normals as a student does.
 
 

@@ -1,4 +1,4 @@
-extends BallLessonTest
+extends LessonTest
 ## Drives the lesson on the point of impact as a student does.
 
 

@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson that proves the projection: steps, turning, dragging, typing.
 
 ## Frames after which something that runs by itself counts as stuck.
@@ -57,7 +57,7 @@ func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 		"a′.x − a · b̂ = 0",
 	]
 	for line: String in lines:
-		assert_has(_lines(), line)
+		assert_has(formula_lines(), line)
 		await go_to_step(frame().lesson.step + 1)
 		await _finish_turning()
 
@@ -86,31 +86,31 @@ func test_play_turns_from_the_start_and_stops_at_the_end() -> void:
 
 
 func test_heads_can_be_dragged_at_the_first_and_at_the_last_step() -> void:
-	await _drag(Vec2.new(7, 1), Vec2.new(3.2, 3.9))
+	await drag(Vec2.new(7, 1), Vec2.new(3.2, 3.9))
 	_assert_vectors([3, 4], [8, -6])
 	await _go_to_first_step()
-	await _drag(Vec2.new(8, -6), Vec2.new(6.1, 7.8))
+	await drag(Vec2.new(8, -6), Vec2.new(6.1, 7.8))
 	_assert_vectors([3, 4], [6, 8])
 
 
 func test_what_is_seen_turned_can_be_dragged_turned() -> void:
-	await _drag(Vec2.new(10, 0), Vec2.new(5.1, 1.2))
+	await drag(Vec2.new(10, 0), Vec2.new(5.1, 1.2))
 	assert_vec2(_vector("b"), Vec2.new(4, -3), 1e-9)
-	await _drag(Vec2.new(5, 5), Vec2.new(10.1, 0.1))
+	await drag(Vec2.new(5, 5), Vec2.new(10.1, 0.1))
 	assert_vec2(_vector("a"), Vec2.new(8, -6), 1e-9)
 
 
 func test_a_head_behind_the_graph_can_be_taken() -> void:
-	var numbers: Dictionary[String, String] = {
+	var typed: Dictionary[String, String] = {
 		"x of a": "3", "y of a": "-5", "x of b": "-6", "y of b": "2"
 	}
-	for title: String in numbers:
-		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
+	for title: String in typed:
+		await student.enter(Screen.named(screen(), title) as LineEdit, typed[title])
 	await _finish_turning()
 	var head := frame().lesson.get_node("%HeadTurnedA") as Control
 	var plot := frame().lesson.get_node("%Plot") as Control
 	assert_true(plot.get_global_rect().intersects(head.get_global_rect()), "it is behind it")
-	await _drag(Vec2.new(-4.4272, 3.7947), Vec2.new(-4.4272, 0.0))
+	await drag(Vec2.new(-4.4272, 3.7947), Vec2.new(-4.4272, 0.0))
 	assert_almost_eq(_vector("a").cross(_vector("b")), 0.0, 1e-3)
 
 
@@ -121,8 +121,8 @@ func test_arrow_keys_nudge_the_head_that_has_the_focus() -> void:
 
 
 func test_clicks_set_a_and_b() -> void:
-	await student.click_at(_place(Vec2.new(-3, -4)))
-	await student.click_at(_place(Vec2.new(-4, -3)), MOUSE_BUTTON_RIGHT)
+	await student.click_at(place_of(Vec2.new(-3, -4)))
+	await student.click_at(place_of(Vec2.new(-4, -3)), MOUSE_BUTTON_RIGHT)
 	_assert_vectors([-3, -4], [-4, -3])
 
 
@@ -145,11 +145,11 @@ func test_reset_brings_the_lecture_back_and_can_be_undone() -> void:
 func test_sides_that_differ_show_their_difference_in_units_in_the_last_place() -> void:
 	await click_button("One bit")
 	assert_reads("1 unit in the last place apart")
-	assert_has(_lines(), "a′.x − a · b̂ = 0 (rounding: 4.4e−16)")
+	assert_has(formula_lines(), "a′.x − a · b̂ = 0 (rounding: 4.4e−16)")
 
 
 func test_neighbours_at_a_power_of_2_are_one_unit_apart() -> void:
-	await _drag(Vec2.new(8, -6), Vec2.new(0, 5))
+	await drag(Vec2.new(8, -6), Vec2.new(0, 5))
 	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "-5")
 	await student.enter(Screen.named(screen(), "y of a") as LineEdit, "2")
 	assert_reads("a′.x = 1.9999999999999998\na · b\u0302 = 2\n1 unit in the last place apart")
@@ -172,11 +172,11 @@ func test_without_a_direction_nothing_is_drawn_or_compared() -> void:
 
 
 func test_near_a_right_angle_only_rounding_is_said_to_be_rounding() -> void:
-	var numbers: Dictionary[String, String] = {
+	var typed: Dictionary[String, String] = {
 		"x of a": "1", "y of a": "3", "x of b": "-3", "y of b": "1"
 	}
-	for title: String in numbers:
-		await student.enter(Screen.named(screen(), title) as LineEdit, numbers[title])
+	for title: String in typed:
+		await student.enter(Screen.named(screen(), title) as LineEdit, typed[title])
 	assert_reads("Both mean 0: only rounding is left")
 	await student.enter(Screen.named(screen(), "x of a") as LineEdit, "1.000000001")
 	assert_does_not_read("Both mean 0")
@@ -194,7 +194,7 @@ func test_the_turn_is_asked_for_before_it_is_shown() -> void:
 	await _go_to_first_step()
 	await student.press(&"lab_next_step")
 	assert_true((frame().lesson.get_node("%Guess") as CanvasItem).visible)
-	await _drag(Vec2.new(4.9, 0.7), Vec2.new(5, 5))
+	await drag(Vec2.new(4.9, 0.7), Vec2.new(5, 5))
 	await student.press(&"lab_next_step")
 	assert_reads("Exactly.")
 	await _finish_turning()
@@ -218,11 +218,11 @@ func test_the_question_names_a_mistake_and_shows_its_numbers_on_the_board() -> v
 	# Behind those of the lecture.
 	for number: int in 2:
 		await click_button("New numbers")
-	var field := Screen.named(question, "a′.x =") as LineEdit
-	await student.enter(field, "%s" % _vector_in_prompt(question, 0).length())
+	var answer := Screen.named(question, "a′.x =") as LineEdit
+	await student.enter(answer, "%s" % _vector_in_prompt(question, 0).length())
 	assert_reads("That is |a|")
 	await student.enter(
-		field,
+		answer,
 		"%s" % _vector_in_prompt(question, 0).scalar_projection(_vector_in_prompt(question, 1))
 	)
 	assert_reads("Right:")
@@ -245,18 +245,9 @@ func _finish_turning() -> void:
 	Engine.time_scale = 1.0
 
 
-func _place(point: Vec2) -> Vector2:
-	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.board.to_screen(point)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
-
-
 func _vector(letter: String) -> Vec2:
-	var numbers: PackedFloat64Array = frame().lesson.state()[letter]
-	return Vec2.new(numbers[0], numbers[1])
+	var held: PackedFloat64Array = frame().lesson.state()[letter]
+	return Vec2.new(held[0], held[1])
 
 
 func _assert_vectors(a: PackedFloat64Array, b: PackedFloat64Array) -> void:
@@ -264,10 +255,6 @@ func _assert_vectors(a: PackedFloat64Array, b: PackedFloat64Array) -> void:
 	var got_b: PackedFloat64Array = frame().lesson.state()["b"]
 	assert_eq(got_a, a, "a")
 	assert_eq(got_b, b, "b")
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 # Where the head of a is drawn now, rounded to what the eye sees.

@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on reflection: steps, dragging, typing, the bug gallery, the flight of the
 ## ball.
 
@@ -16,7 +16,7 @@ func after_each() -> void:
 
 func test_it_starts_with_the_reflection_of_the_lecture() -> void:
 	_assert_numbers("velocity", [3, 4])
-	assert_has(_lines(), "v − (1 + C)(v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)")
+	assert_has(formula_lines(), "v − (1 + C)(v · n̂) n̂ = (3, 4) − 2 (0, 4) = (3, −4)")
 	assert_reads("in 36.87°, out 36.87° from n̂")
 
 
@@ -28,9 +28,9 @@ func test_every_step_shows_its_line_with_the_numbers_put_in() -> void:
 		"(v · n̂) n̂ = (−4) (0, −1) = (0, 4)",
 	]
 	for line: String in wanted:
-		assert_eq(_lines()[-1], line)
+		assert_eq(formula_lines()[-1], line)
 		await student.press(&"lab_previous_step")
-	assert_eq(_lines().size(), 2, "the first step subtracts nothing")
+	assert_eq(formula_lines().size(), 2, "the first step subtracts nothing")
 
 
 func test_the_steps_let_the_ball_fly_through_slide_and_bounce() -> void:
@@ -64,29 +64,29 @@ func test_a_step_back_takes_the_ball_back_to_where_it_was() -> void:
 
 func test_a_drag_pauses_the_flight() -> void:
 	await click_button("Play or pause")
-	await _drag(Vec2.new(3, 4), Vec2.new(5, 4))
+	await drag(Vec2.new(3, 4), Vec2.new(5, 4))
 	assert_false((frame().lesson.services[&"transport"] as Transport).is_playing)
 
 
 func test_the_velocity_can_be_dragged_at_either_end() -> void:
-	await _drag(Vec2.new(3, 4), Vec2.new(5.1, 2.2))
+	await drag(Vec2.new(3, 4), Vec2.new(5.1, 2.2))
 	_assert_numbers("velocity", [5, 2])
-	await _drag(Vec2.new(-5, -2), Vec2.new(0.2, -4.8))
+	await drag(Vec2.new(-5, -2), Vec2.new(0.2, -4.8))
 	_assert_numbers("velocity", [0, 5])
 
 
 func test_the_line_can_be_turned_by_its_ends_and_by_its_normal() -> void:
-	await _drag(Vec2.new(-7, 0), Vec2.new(-6, -8))
+	await drag(Vec2.new(-7, 0), Vec2.new(-6, -8))
 	_assert_numbers("along", [-6, -8])
-	await _drag(Vec2.new(0.8, -0.6), Vec2.new(0, -1))
+	await drag(Vec2.new(0.8, -0.6), Vec2.new(0, -1))
 	assert_vec2(_model().unit_normal(), Vec2.new(0, -1), 1e-12)
 
 
 func test_dragging_the_head_of_v_out_sets_c() -> void:
-	await _drag(Vec2.new(3, -4), Vec2.new(3, -2))
+	await drag(Vec2.new(3, -4), Vec2.new(3, -2))
 	_assert_number("bounciness", 0.5)
 	assert_reads("keeps 52 % of its energy")
-	await _drag(Vec2.new(3, -2), Vec2.new(3, 3))
+	await drag(Vec2.new(3, -2), Vec2.new(3, 3))
 	_assert_number("bounciness", 0.0)
 
 
@@ -97,24 +97,24 @@ func test_arrow_keys_nudge_the_bounciness() -> void:
 
 
 func test_numbers_can_be_typed() -> void:
-	await _enter("bounciness C, 0 to 1", "0.25")
+	await enter("bounciness C, 0 to 1", "0.25")
 	_assert_number("bounciness", 0.25)
-	await _enter("y of v", "8")
+	await enter("y of v", "8")
 	_assert_numbers("velocity", [3, 8])
-	await _enter("y of the line", "7")
+	await enter("y of the line", "7")
 	_assert_numbers("along", [-7, 7])
 
 
 func test_a_bounciness_outside_0_to_1_is_refused_and_named() -> void:
 	for typed: String in ["1.5", "-0.5"]:
-		await _enter("bounciness C, 0 to 1", typed)
+		await enter("bounciness C, 0 to 1", typed)
 		_assert_number("bounciness", 1.0)
 		var value := typed.replace("-", NumberText.MINUS)
 		assert_reads("C must be within 0..1, but is %s." % value)
 
 
 func test_a_line_without_direction_is_refused() -> void:
-	await _enter("x of the line", "0")
+	await enter("x of the line", "0")
 	_assert_numbers("along", [-7, 0])
 	assert_reads("The line (0, 0) has no direction")
 
@@ -122,8 +122,8 @@ func test_a_line_without_direction_is_refused() -> void:
 func test_a_normal_that_is_not_unit_is_refused_with_its_length() -> void:
 	await click_button("Normal of length 1")
 	assert_reads("Vec2.reflect: the normal must have length 1, but has length 2.0.")
-	assert_eq(_lines()[-1], "|n| is not 1: refused. v stays (3, 4)")
-	await _enter("length of n", "0.5")
+	assert_eq(formula_lines()[-1], "|n| is not 1: refused. v stays (3, 4)")
+	await enter("length of n", "0.5")
 	assert_reads("but has length 0.5.")
 	await click_button("Undo")
 	assert_reads("but has length 2.0.")
@@ -142,17 +142,17 @@ func test_godots_methods_stand_beside_with_their_errors() -> void:
 func test_each_mistake_shows_its_wrong_velocity_beside_the_right_one() -> void:
 	var wrongs: Array[Vector2] = [Vector2(3, -28), Vector2(-3, 4), Vector2(1.5, -4)]
 	for i: int in wrongs.size():
-		await _pick_mistake(i + 1)
+		await pick_mistake_at(i + 1)
 		_assert_number("mistake", 11 + i)
 		assert_eq(_model().velocity_with_mistake().to_vector2(), wrongs[i])
 		assert_true((frame().lesson.get_node("%Wrong") as CanvasItem).visible)
 		var wrong := NumberText.pair(wrongs[i].x, wrongs[i].y)
-		assert_eq(_lines()[-1], "mistake: " + wrong)
+		assert_eq(formula_lines()[-1], "mistake: " + wrong)
 		assert_reads("the mistake says: " + wrong)
 
 
 func test_mistake_14_keeps_the_ball_at_the_line() -> void:
-	await _pick_mistake(4)
+	await pick_mistake_at(4)
 	assert_false(_wrong_ball().visible, "up to the line both balls are one")
 	_fly_to(1.0)
 	await student.press(&"lab_next_step")
@@ -162,7 +162,7 @@ func test_mistake_14_keeps_the_ball_at_the_line() -> void:
 
 
 func test_mistake_13_takes_a_bounciness_that_shows_it_and_undo_brings_both_back() -> void:
-	await _pick_mistake(3)
+	await pick_mistake_at(3)
 	_assert_number("bounciness", 0.5)
 	await click_button("Undo")
 	_assert_number("bounciness", 1.0)
@@ -172,7 +172,7 @@ func test_mistake_13_takes_a_bounciness_that_shows_it_and_undo_brings_both_back(
 
 func test_reset_brings_the_lecture_back() -> void:
 	await click_button("C = 0.5")
-	await _drag(Vec2.new(3, 4), Vec2.new(5, 2))
+	await drag(Vec2.new(3, 4), Vec2.new(5, 2))
 	await student.press(&"lab_reset")
 	_assert_numbers("velocity", [3, 4])
 	_assert_number("bounciness", 1.0)
@@ -208,7 +208,7 @@ func test_the_reflection_is_asked_for_before_it_is_shown() -> void:
 	await student.press(&"lab_next_step")
 	assert_true(_is_drawn("%Guess"))
 	assert_false(_is_drawn("%Leaving"))
-	await _drag(Vec2.new(3, 0), Vec2.new(3, -4))
+	await drag(Vec2.new(3, 0), Vec2.new(3, -4))
 	await student.press(&"lab_next_step")
 	assert_reads("Exactly.")
 	assert_true(_is_drawn("%Leaving"))
@@ -248,18 +248,18 @@ func test_a_ball_head_on_is_said_to_stop_and_nothing_is_asked() -> void:
 
 
 func test_a_mistake_that_changes_nothing_here_is_not_said_to_be_wrong() -> void:
-	await _pick_mistake(3)
-	await _enter("bounciness C, 0 to 1", "1")
+	await pick_mistake_at(3)
+	await enter("bounciness C, 0 to 1", "1")
 	assert_reads("the mistake changes nothing here")
 	assert_false(_is_drawn("%Wrong"))
-	await _enter("bounciness C, 0 to 1", "0.25")
+	await enter("bounciness C, 0 to 1", "0.25")
 	assert_reads("the mistake says: (0.75, −4)")
 	assert_true(_is_drawn("%Wrong"))
 
 
 func test_a_ball_at_rest_makes_no_angle() -> void:
-	await _enter("x of v", "0")
-	await _enter("y of v", "0")
+	await enter("x of v", "0")
+	await enter("y of v", "0")
 	assert_reads("v = 0: the ball does not move")
 	assert_false(_is_drawn("%AngleIn"))
 
@@ -267,11 +267,11 @@ func test_a_ball_at_rest_makes_no_angle() -> void:
 func test_in_the_next_frame_the_ball_moves_away_and_is_left_alone() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("Reflect only if v · n̂ < 0: now it is above 0, v stays")
-	assert_eq(_lines()[-1], "(3, −4) · n̂ = 3·0 + (−4)·(−1) = 4")
-	await _enter("y of v", "-4")
+	assert_eq(formula_lines()[-1], "(3, −4) · n̂ = 3·0 + (−4)·(−1) = 4")
+	await enter("y of v", "-4")
 	assert_reads("−n̂ being on its side")
-	assert_eq(_lines()[-1], "(3, 4) · (−n̂) = 3·0 + 4·1 = 4")
-	await _enter("bounciness C, 0 to 1", "0")
+	assert_eq(formula_lines()[-1], "(3, 4) · (−n̂) = 3·0 + 4·1 = 4")
+	await enter("bounciness C, 0 to 1", "0")
 	assert_reads("now it is 0, v stays")
 
 
@@ -288,48 +288,26 @@ func test_v_out_has_its_name_beside_it_where_its_head_is_crowded() -> void:
 func test_table_and_card_give_way_to_a_ball_from_any_side() -> void:
 	var handle := frame().lesson.get_node("%ComingTail") as Control
 	for coming: Vector2i in [Vector2i(3, 4), Vector2i(3, -4), Vector2i(-3, -4), Vector2i(-3, 4)]:
-		await _enter("x of v", str(coming.x))
-		await _enter("y of v", str(coming.y))
+		await enter("x of v", str(coming.x))
+		await enter("y of v", str(coming.y))
 		for card: String in ["%Table", "%Verdict"]:
-			var place := (frame().lesson.get_node(card) as Control).get_global_rect()
+			var area := (frame().lesson.get_node(card) as Control).get_global_rect()
 			var middle := handle.get_global_rect().get_center()
-			assert_false(place.grow(10.0).has_point(middle), "%s for %s" % [card, coming])
+			assert_false(area.grow(10.0).has_point(middle), "%s for %s" % [card, coming])
 		var table := frame().lesson.get_node("%Table") as Control
 		var verdict := frame().lesson.get_node("%Verdict") as Control
 		assert_false(table.get_global_rect().intersects(verdict.get_global_rect()))
 
 
 func test_mistake_13_gives_the_bounciness_back() -> void:
-	await _pick_mistake(3)
-	await _pick_mistake(0)
+	await pick_mistake_at(3)
+	await pick_mistake_at(0)
 	_assert_number("bounciness", 1.0)
 
 
 func _answer(question: FoldableContainer, answer: Vec2) -> void:
 	await student.enter(Screen.named(question, "x =") as LineEdit, "%.3f" % answer.x)
 	await student.enter(Screen.named(question, "y =") as LineEdit, "%.3f" % answer.y)
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick_mistake(item: int) -> void:
-	var list := Screen.named(screen(), "Known mistakes") as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for press: int in item:
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	var lesson := frame().lesson
-	var transform := lesson.get_global_transform()
-	await student.drag(
-		transform * lesson.board.to_screen(from), transform * lesson.board.to_screen(to)
-	)
 
 
 func _model() -> ReflectionModel:
@@ -368,10 +346,6 @@ func _step() -> ReflectionModel.Step:
 
 func _wrong_ball() -> CanvasItem:
 	return frame().lesson.get_node("%WrongBall") as CanvasItem
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 func _assert_numbers(key: String, wanted: PackedFloat64Array) -> void:

@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on sliding and rolling: dragging, typing, what is asked, the race, Godot's
 ## body, the bug gallery.
 
@@ -15,7 +15,7 @@ func after_each() -> void:
 
 func test_it_starts_with_a_ball_that_slides_without_turning() -> void:
 	assert_reads("Without friction the ball slides down and does not turn.")
-	await _play()
+	await play_to_end()
 	assert_almost_eq(_model().time, 0.8165, 1e-4)
 	var ball := frame().lesson.get_node("%Ball") as TurnedBall
 	assert_vec2(ball.at(), Vec2.new(54, 28), 1e-9)
@@ -24,16 +24,16 @@ func test_it_starts_with_a_ball_that_slides_without_turning() -> void:
 
 func test_the_steps_lead_to_the_numbers_of_the_table() -> void:
 	await go_to_step(SlideAndRollModel.Step.PULL)
-	assert_has(_lines(), "G = g h / L = 600·72 / 120 = 360")
-	assert_has(_lines(), "N = g w / L = 600·96 / 120 = 480")
+	assert_has(formula_lines(), "G = g h / L = 600·72 / 120 = 360")
+	assert_has(formula_lines(), "N = g w / L = 600·96 / 120 = 480")
 	await go_to_step(SlideAndRollModel.Step.MARK)
-	assert_has(_lines(), "tan = h / w = 72 / 96 = 0.75   tan / 3 = 0.25")
-	assert_has(_lines(), "3 µ N = 576 ≥ 360 = G")
+	assert_has(formula_lines(), "tan = h / w = 72 / 96 = 0.75   tan / 3 = 0.25")
+	assert_has(formula_lines(), "3 µ N = 576 ≥ 360 = G")
 	await go_to_step(SlideAndRollModel.Step.ROLL)
-	assert_has(_lines(), "a = G − f = 360 − 120 = 240")
+	assert_has(formula_lines(), "a = G − f = 360 − 120 = 240")
 	await go_to_step(SlideAndRollModel.Step.RACE)
-	assert_has(_lines(), "t = √(2 L / a) = √(2·120 / 240) = 1")
-	assert_has(_lines(), "without friction: t₀ = √(2 L / G) = 0.8165")
+	assert_has(formula_lines(), "t = √(2 L / a) = √(2·120 / 240) = 1")
+	assert_has(formula_lines(), "without friction: t₀ = √(2 L / G) = 0.8165")
 
 
 func test_the_mark_and_the_place_in_the_race_are_asked() -> void:
@@ -50,31 +50,31 @@ func test_the_mark_and_the_place_in_the_race_are_asked() -> void:
 	await student.press(&"lab_next_step")
 	assert_reads("Where is your ball when the one without friction is at the end?")
 	# At two thirds of the line.
-	await _drag(Vec2.new(-42, -44), _model().center_at(80.0))
+	await drag(Vec2.new(-42, -44), _model().center_at(80.0))
 	await student.press(&"lab_next_step")
 	assert_eq(frame().lesson.step, SlideAndRollModel.Step.RACE)
 	assert_reads("Your guess was")
 
 
 func test_nothing_is_asked_where_nothing_moves() -> void:
-	await _enter("y of the end", "-36")
+	await enter("y of the end", "-36")
 	for i: int in 5:
 		await student.press(&"lab_next_step")
 	assert_eq(frame().lesson.step, SlideAndRollModel.Step.RACE)
 	assert_reads("nothing moves")
-	await _play()
+	await play_to_end()
 
 
 func test_line_and_speed_can_be_dragged() -> void:
-	await _drag(Vec2.new(48, 36), Vec2.new(60, 20))
-	_assert_numbers("end", [60, 20])
-	await _drag(Vec2.new(60, 20), Vec2.new(60, -80))
-	_assert_numbers("end", [60, -36])
-	await _drag(Vec2.new(-48, -36), Vec2.new(-80, -60))
-	_assert_numbers("start", [-80, -60])
+	await drag(Vec2.new(48, 36), Vec2.new(60, 20))
+	assert_numbers("end", [60, 20])
+	await drag(Vec2.new(60, 20), Vec2.new(60, -80))
+	assert_numbers("end", [60, -36])
+	await drag(Vec2.new(-48, -36), Vec2.new(-80, -60))
+	assert_numbers("start", [-80, -60])
 	var knob := (frame().lesson.get_node("%SpeedHandle") as Handle).at()
 	var along := _model().segment().along().normalized()
-	await _drag(knob, knob.plus(along.scaled(20.0)))
+	await drag(knob, knob.plus(along.scaled(20.0)))
 	assert_almost_eq(_model().speed, 100.0, 20.0)
 	await click_button("Undo")
 	assert_eq(_model().speed, 0.0)
@@ -91,12 +91,12 @@ func test_friction_can_be_dragged_across_the_mark() -> void:
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("gravity", "300")
+	await enter("gravity", "300")
 	assert_eq(_model().gravity, 300.0)
-	await _enter("gravity", "0")
+	await enter("gravity", "0")
 	assert_reads("g must be within 0.001..1000000, not 0.")
 	await go_to_step(SlideAndRollModel.Step.SLIP)
-	await _enter("friction", "0,2")
+	await enter("friction", "0,2")
 	assert_eq(_model().friction, 0.2)
 
 
@@ -120,15 +120,15 @@ func test_the_race_is_won_without_friction() -> void:
 func test_on_the_level_it_rolls_with_two_thirds_of_its_speed() -> void:
 	await click_button("Level")
 	await go_to_step(SlideAndRollModel.Step.ROLL)
-	assert_has(_lines(), "t₁ = v₀ / (3 µ N − G) = 300 / (360 − 0) = 0.8333")
-	assert_has(_lines(), "v₁ = v₀ + (G − µ N) t₁ = 200")
+	assert_has(formula_lines(), "t₁ = v₀ / (3 µ N − G) = 300 / (360 − 0) = 0.8333")
+	assert_has(formula_lines(), "v₁ = v₀ + (G − µ N) t₁ = 200")
 	assert_reads("it rolls after 0.8333 s")
 
 
 func test_each_mistake_shows_its_number_and_can_be_undone() -> void:
 	var wanted: PackedStringArray = ["36 px behind", "8.57 px ahead", "stops", "60 px ahead"]
 	for i: int in wanted.size():
-		await _pick_mistake(i + 1)
+		await pick_mistake_at(i + 1)
 		assert_eq(frame().lesson.step, SlideAndRollModel.Step.RACE)
 		if i != 2:
 			assert_reads("the mistake: " + wanted[i])
@@ -148,7 +148,7 @@ func test_a_question_names_the_mistake_and_shows_its_numbers() -> void:
 	await student.enter(Screen.named(question, "µ =") as LineEdit, "1/4")
 	assert_reads("Right: 0.25.")
 	await click_button("Show on board")
-	_assert_numbers("end", [48, 36])
+	assert_numbers("end", [48, 36])
 
 
 func test_the_readout_compares_the_formula_with_frames_and_with_godot() -> void:
@@ -177,23 +177,8 @@ func test_the_readout_compares_the_formula_with_frames_and_with_godot() -> void:
 	assert_null((frame().lesson.get_node("%Engine") as EngineRunner).roll)
 
 
-func _play() -> void:
-	await click_button("Play or pause")
-	var transport := frame().lesson.services[&"transport"] as Transport
-	Engine.time_scale = 20.0
-	for wait: int in 3000:
-		if not transport.is_playing:
-			break
-		await get_tree().process_frame
-	Engine.time_scale = 1.0
-
-
 func _model() -> SlideAndRollModel:
 	return frame().lesson.get(&"_model")
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
 
 
 # How far a ball has come from where it started.
@@ -201,34 +186,6 @@ func _way(ball: String) -> float:
 	var lane := (frame().lesson.get_node("%" + ball) as TurnedBall).at()
 	var along := _model().segment().along()
 	return lane.minus(_model().center_at(0.0)).scalar_projection(along)
-
-
-func _assert_numbers(key: String, wanted: Array[float]) -> void:
-	var got: PackedFloat64Array = frame().lesson.state()[key]
-	assert_eq(got, PackedFloat64Array(wanted), key)
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick_mistake(item: int) -> void:
-	var list := Screen.named(screen(), "Known mistakes") as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for press: int in item:
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _place(point: Vec2) -> Vector2:
-	var lesson := frame().lesson
-	return lesson.get_global_transform() * lesson.board.to_screen(point)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
 
 
 func _point_at_friction(friction: float) -> void:

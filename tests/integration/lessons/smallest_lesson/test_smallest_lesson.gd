@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## The smallest lesson, with which others begin.
 
 
@@ -8,14 +8,14 @@ func before_each() -> void:
 
 
 func test_it_starts_with_the_vector_of_its_scene() -> void:
-	assert_eq(_formula_lines(), PackedStringArray(["v = ( 4 , -3 )", "|v| = √(v · v) = √25 = 5"]))
+	assert_eq(formula_lines(), PackedStringArray(["v = ( 4 , -3 )", "|v| = √(v · v) = √25 = 5"]))
 	assert_reads("|v|")
 
 
 func test_the_head_can_be_dragged_and_undone() -> void:
 	await student.drag(_place(4.0, -3.0), _place(5.0, 12.0))
 	assert_eq(_v(), PackedFloat64Array([5.0, 12.0]))
-	assert_string_contains(_formula_lines()[1], "= 13")
+	assert_string_contains(formula_lines()[1], "= 13")
 	await student.press(&"lab_undo")
 	assert_eq(_v(), PackedFloat64Array([4.0, -3.0]))
 
@@ -39,7 +39,3 @@ func _v() -> PackedFloat64Array:
 func _place(x: float, y: float) -> Vector2:
 	var board := frame().lesson.board
 	return board.get_global_transform() * board.to_screen(Vec2.new(x, y))
-
-
-func _formula_lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)

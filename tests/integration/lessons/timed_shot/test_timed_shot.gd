@@ -1,4 +1,4 @@
-extends ScreenTest
+extends LessonTest
 ## Drives the lesson on the moment to fire: steps, dragging, typing, the timeline, the bug gallery,
 ## the flight of the shot.
 
@@ -17,21 +17,21 @@ func after_each() -> void:
 
 
 func test_it_fires_the_flight_before_the_target_is_there() -> void:
-	assert_eq(_lines()[-2], "hit = (X − T) · V / (V · V) = 30000 / 10000 = 3")
-	assert_eq(_lines()[-1], "fire = hit − f = 3 − 1 = 2")
+	assert_eq(formula_lines()[-2], "hit = (X − T) · V / (V · V) = 30000 / 10000 = 3")
+	assert_eq(formula_lines()[-1], "fire = hit − f = 3 − 1 = 2")
 	assert_reads("fire after 2 s")
 
 
 func test_the_crossing_comes_from_the_normal() -> void:
 	await go_to_step(_STEPS.CROSS)
-	assert_has(_lines(), "f = P · n / (W · n) = (−20000) / (−20000) = 1")
-	assert_eq(_lines()[-1], "X = S + f W = (0, 100) + 1 (0, −200) = (0, −100)")
+	assert_has(formula_lines(), "f = P · n / (W · n) = (−20000) / (−20000) = 1")
+	assert_eq(formula_lines()[-1], "X = S + f W = (0, 100) + 1 (0, −200) = (0, −100)")
 	assert_true(_is_drawn("Cross"))
 
 
 func test_the_window_is_colored_on_the_timeline() -> void:
 	await go_to_step(_STEPS.WINDOW)
-	assert_eq(_lines()[-1], "half = R |W − V| / |W · n| = 10·223.6 / 20000 = 0.1118")
+	assert_eq(formula_lines()[-1], "half = R |W − V| / |W · n| = 10·223.6 / 20000 = 0.1118")
 	assert_reads("hits from 1.888 s to 2.112 s")
 	assert_reads("your shot at 1 s misses by 89.4 px")
 
@@ -49,56 +49,56 @@ func test_the_student_s_moment_is_dragged_on_the_timeline() -> void:
 
 
 func test_everything_can_be_dragged() -> void:
-	await _drag(Vec2.new(-300, -100), Vec2.new(-200, -100))
+	await drag(Vec2.new(-300, -100), Vec2.new(-200, -100))
 	assert_reads("fire after 1 s")
-	await _drag(Vec2.new(-150, -100), Vec2.new(-175, -100))
-	_assert_numbers("velocity", [50, 0])
-	await _drag(Vec2.new(0, 0), Vec2.new(0, -100))
-	_assert_numbers("bullet", [0, -400])
-	await _drag(Vec2.new(0, 100), Vec2.new(50, 100))
-	_assert_numbers("muzzle", [50, 100])
+	await drag(Vec2.new(-150, -100), Vec2.new(-175, -100))
+	assert_numbers("velocity", [50, 0])
+	await drag(Vec2.new(0, 0), Vec2.new(0, -100))
+	assert_numbers("bullet", [0, -400])
+	await drag(Vec2.new(0, 100), Vec2.new(50, 100))
+	assert_numbers("muzzle", [50, 100])
 	await student.press(&"lab_undo")
-	_assert_numbers("muzzle", [0, 100])
-	await _drag(Vec2.new(0, -100), Vec2.new(0, 100))
+	assert_numbers("muzzle", [0, 100])
+	await drag(Vec2.new(0, -100), Vec2.new(0, 100))
 	assert_reads("The bullet needs a speed of 1 px/s or more, not 0.")
 
 
 func test_numbers_can_be_typed_and_wrong_ones_are_refused() -> void:
-	await _enter("x of V", "50")
+	await enter("x of V", "50")
 	assert_reads("fire after 5 s")
-	await _enter("y of W", "0")
+	await enter("y of W", "0")
 	assert_reads("The bullet needs a speed of 1 px/s or more, not 0.")
-	_assert_numbers("bullet", [0, -200])
+	assert_numbers("bullet", [0, -200])
 
 
 func test_a_target_on_a_circle() -> void:
 	await click_button("Circle")
 	assert_reads("fire after 0.5 s")
-	assert_eq(_lines()[-1], "fire = hit − f = 1 − 0.5 = 0.5")
+	assert_eq(formula_lines()[-1], "fire = hit − f = 1 − 0.5 = 0.5")
 	assert_false(_is_drawn("Velocity"))
-	await _drag(Vec2.new(0, -50), Vec2.new(20, -50))
-	_assert_numbers("centre", [20, -50])
-	await _enter("turn in one second", "-90")
+	await drag(Vec2.new(0, -50), Vec2.new(20, -50))
+	assert_numbers("centre", [20, -50])
+	await enter("turn in one second", "-90")
 	assert_reads("fire after")
 
 
 func test_a_barrel_that_turns() -> void:
-	await _pick("How target and barrel move", "barrel that turns")
+	await pick("How target and barrel move", "barrel that turns")
 	assert_eq(_model().kind, TimedShotModel.Kind.TURNING)
 	await click_button("Turning barrel")
 	assert_reads("Fire when the barrel points to where they meet")
-	assert_string_contains(_lines()[-1], "from S to X: ")
-	var angles := _lines()[-1].split(": ")
+	assert_string_contains(formula_lines()[-1], "from S to X: ")
+	var angles := formula_lines()[-1].split(": ")
 	assert_eq(angles[1].get_slice(" ", 0), angles[2], "the barrel points there then")
 
 
 func test_each_mistake_is_shown_at_its_step() -> void:
-	await _pick("Known mistakes", "Fired when it is in front")
+	await pick("Known mistakes", "Fired when it is in front")
 	assert_reads("fired after 3 s it misses by 89.4 px")
 	assert_true(_is_drawn("WrongWay"))
-	await _pick("Known mistakes", "Flight added")
-	assert_string_contains(_lines()[-1], "mistake: 3 + 1 = 4")
-	await _pick("Known mistakes", "Window without the bullet")
+	await pick("Known mistakes", "Flight added")
+	assert_string_contains(formula_lines()[-1], "mistake: 3 + 1 = 4")
+	await pick("Known mistakes", "Window without the bullet")
 	assert_eq(frame().lesson.step, _STEPS.WINDOW)
 	assert_reads("the mistake says ± 0.1 s")
 	assert_false(_is_drawn("WrongWay"))
@@ -107,7 +107,7 @@ func test_each_mistake_is_shown_at_its_step() -> void:
 func test_what_never_hits_says_why() -> void:
 	await click_button("Too late")
 	assert_reads("too late: the target has passed before a bullet comes")
-	assert_eq(_lines()[-1], "no moment")
+	assert_eq(formula_lines()[-1], "no moment")
 	await click_button("Parallel")
 	assert_reads("both ways are parallel: they meet never, or always")
 	assert_false(_is_drawn("Waiting"))
@@ -144,7 +144,7 @@ func test_it_asks_where_the_target_is_and_how_long_the_window_is() -> void:
 	await go_to_step(_STEPS.CROSS)
 	await student.press(&"lab_next_step")
 	assert_true(_is_drawn("Guess"))
-	await _drag(Vec2.new(-300, -100), Vec2.new(-120, -100))
+	await drag(Vec2.new(-300, -100), Vec2.new(-120, -100))
 	await student.press(&"lab_next_step")
 	assert_reads("Your guess was 20 off.")
 	await student.press(&"lab_next_step")
@@ -167,9 +167,9 @@ func test_it_moves_by_itself_at_first() -> void:
 	var swing := Callable(frame().lesson, &"_swing")
 	var first := Vec2.new(-300, -100)
 	swing.call(2.5, first)
-	_assert_numbers("target", [-100, -100])
+	assert_numbers("target", [-100, -100])
 	swing.call(5.0, first)
-	_assert_numbers("target", [-300, -100])
+	assert_numbers("target", [-300, -100])
 
 
 func test_it_has_links() -> void:
@@ -189,11 +189,11 @@ func _timeline() -> ShotTimeline:
 
 
 func _drag_ring(from: float, to: float) -> void:
-	var place := _timeline().get_global_rect()
-	var line := Vector2(0.0, place.size.y * 0.52)
+	var area := _timeline().get_global_rect()
+	var line := Vector2(0.0, area.size.y * 0.52)
 	await student.drag(
-		place.position + line + Vector2(_timeline().pixel_of(from), 0.0),
-		place.position + line + Vector2(_timeline().pixel_of(to), 0.0)
+		area.position + line + Vector2(_timeline().pixel_of(from), 0.0),
+		area.position + line + Vector2(_timeline().pixel_of(to), 0.0)
 	)
 
 
@@ -203,37 +203,3 @@ func _place_of(part: String) -> Vector2:
 
 func _is_drawn(part: String) -> bool:
 	return (frame().lesson.get_node("%" + part) as CanvasItem).is_visible_in_tree()
-
-
-func _assert_numbers(value: String, wanted: Array[float]) -> void:
-	var numbers: PackedFloat64Array = frame().lesson.state()[value]
-	assert_eq(numbers, PackedFloat64Array(wanted))
-
-
-func _enter(title: String, text: String) -> void:
-	await student.enter(Screen.named(screen(), title) as LineEdit, text)
-
-
-func _pick(name_of_list: String, title: String) -> void:
-	var list := Screen.named(screen(), name_of_list) as OptionButton
-	await student.click(list)
-	for press: int in list.item_count:
-		await student.press_key(KEY_UP)
-	for item: int in list.item_count:
-		if list.get_item_text(item) == title:
-			break
-		await student.press_key(KEY_DOWN)
-	await student.press_key(KEY_ENTER)
-
-
-func _drag(from: Vec2, to: Vec2) -> void:
-	await student.drag(_place(from), _place(to))
-
-
-func _place(point: Vec2) -> Vector2:
-	var board := frame().lesson.board
-	return board.get_global_transform() * board.to_screen(point)
-
-
-func _lines() -> PackedStringArray:
-	return Screen.lines(frame().lesson.services[&"formula"] as Formula)
