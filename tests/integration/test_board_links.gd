@@ -50,9 +50,13 @@ const _GOOD: Dictionary[String, Array] = {
 	],
 	"moving_platforms":
 	[
+		"kind=1",
+		"kind=2",
+		"kind=3",
+		"kind=4",
 		"ball=200,0&velocity=-200,0&bounciness=0.5&mistake=102",
 		"kind=1&surface=-192,56,192,-56&surface_speed=348&friction=0.5&from_surface=true",
-		"kind=4&way=200&speed=300&surface_speed=100",
+		"kind=4&way=180&speed=250&surface_speed=80",
 	],
 }
 const _BAD: Dictionary[String, Dictionary] = {
@@ -182,7 +186,8 @@ const _BAD: Dictionary[String, Dictionary] = {
 		"bounciness=2": "C must be within 0..1, not 2.",
 		"ball=-110,0":
 		"At the start the ball's centre must be more than 20 px from the surface, not 10.",
-		"kind=4&speed=80": "The ball must be at least 1 px/s faster than the wall with 90, not 80.",
+		"kind=4&speed=80":
+		"The ball must be at least 1 px/s faster than the wall with 100, not 80.",
 	},
 }
 

@@ -311,6 +311,19 @@ func to_dictionary() -> Dictionary:
 	}
 
 
+# A link that names a kind alone opens it as it starts.
+func link_base(first: Dictionary, wanted: Dictionary) -> Dictionary:
+	var named: int = wanted["kind"]
+	if named == first["kind"]:
+		return first
+	var base := MovingPlatformsModel.new()
+	base.from_dictionary(first)
+	var last := MovingPlatformsPresets.OF_KIND.size() - 1
+	Refusal.push(base.take(MovingPlatformsPresets.OF_KIND[clampi(named, 0, last)]))
+	# The link has to name the kind itself.
+	return base.to_dictionary().merged({"kind": first["kind"]}, true)
+
+
 func problem_in(stored: Dictionary) -> String:
 	return MovingPlatformsCheck.problem_in(stored)
 
