@@ -52,7 +52,7 @@ var _watcher: WorkshopPageWatcher
 func _ready() -> void:
 	super()
 	_exercises = WorkshopKeptCode.exercises()
-	_watcher = WorkshopLabWatcher.of(get_tree()) as WorkshopPageWatcher
+	_watcher = _page_watcher()
 	_watcher.judged.connect(_show_report)
 	(%Check as Button).pressed.connect(_check)
 	(%Check as Button).tooltip_text = _CHECK_KEYS
@@ -75,6 +75,16 @@ func _ready() -> void:
 		_watcher.say_again()
 		_show_report(_watcher.report)
 	WebPage.show_title(tr("Your own code"))
+
+
+# Where the lab's watcher looks at files, as when this scene is run by F6, the page has its own.
+func _page_watcher() -> WorkshopPageWatcher:
+	var of_lab := WorkshopLabWatcher.of(get_tree()) as WorkshopPageWatcher
+	if of_lab:
+		return of_lab
+	var own := WorkshopPageWatcher.new()
+	add_child(own)
+	return own
 
 
 func _say_again() -> void:
